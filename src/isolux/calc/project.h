@@ -1,0 +1,44 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolux/base/error.h"
+#include "isolux/measure/surface_grid.h"
+#include "isolux/scene/scene.h"
+
+namespace isolux {
+
+enum class Estimator { automatic, local_estimation, local_estimation_mis, path_tracing };
+
+enum class Statement {
+    per_point, ///< every interval holds at the stated confidence by itself
+    all_points ///< all intervals of a surface hold at once (Bonferroni)
+};
+
+/// What the user may ask for. The tolerance is the one quality setting.
+struct Settings {
+    double tolerance = 0.01;         ///< half width of the interval / value
+    double absolute_tolerance = 0.1; ///< lx; what is darker than this / tolerance needs no more
+    double confidence = 0.95;
+    std::optional<std::chrono::duration<double>> time_limit;
+    std::uint64_t seed = 1;
+    Estimator estimator = Estimator::automatic;
+    Statement statement = Statement::per_point;
+    bool direct_only = false;
+};
+
+/// A whole task, files read and placements expanded.
+struct Project {
+    std::string name;
+    std::string description;
+    SceneDescription scene;
+    std::vector<CalculationSurface> surfaces;
+    Settings settings;
+    std::vector<Message> notices;
+};
+
+} // namespace isolux

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "isolux/base/error.h"
+#include "isolux/base/estimate.h"
+#include "isolux/measure/grid_statistics.h"
+#include "isolux/measure/surface_grid.h"
+
+namespace isolux {
+
+/// One point's illuminance, lx. Flags say why an error bar deserves less trust (METHODS 3.5).
+struct PointResult {
+    Estimate total;
+    Estimate direct;
+    Estimate indirect;
+    bool suspicious_replicate = false; ///< largest deviation above 3.5 s
+    bool heavy_tail = false;           ///< kurtosis of the replicates above 6
+    bool near_surface = false;         ///< within 1 mm of a foreign surface
+};
+
+struct SurfaceResult {
+    CalculationSurface surface;
+    std::vector<PointResult> points; ///< as surface.receivers
+    ReplicateTable replicates;       ///< total illuminance
+    SurfaceSummary summary;
+    bool converged = false;
+};
+
+/// Luminous flux in, flux out, lm.
+struct FluxBalance {
+    Estimate emitted;
+    Estimate absorbed;
+    Estimate escaped; ///< left through open openings or past the rooms
+};
+
+struct RayCounts {
+    std::uint64_t path = 0;
+    std::uint64_t shadow = 0;
+    std::uint64_t gather = 0;
+};
+
+struct Results {
+    std::vector<SurfaceResult> surfaces;
+    FluxBalance flux_balance;
+    RayCounts rays;
+    double wall_seconds = 0.0;
+    double cpu_seconds = 0.0;
+    bool converged = false;   ///< every surface is within the tolerance
+    bool interrupted = false; ///< stopped by the user or by the time limit
+    std::uint64_t replicates = 0;
+    std::uint64_t paths = 0;  ///< light paths walked in all
+    std::string estimator;    ///< in words, as printed in the report
+    double confidence = 0.95; ///< of the intervals, after error spending
+    std::vector<Message> notices;
+};
+
+} // namespace isolux

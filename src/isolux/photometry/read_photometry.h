@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "isolux/base/error.h"
+#include "isolux/photometry/luminaire_photometry.h"
+
+namespace isolux {
+
+struct PhotometryOptions {
+    bool strict = false;      ///< notices become errors
+    std::size_t lamp_set = 0; ///< EULUMDAT: which of the alternative lamp sets lights the table
+    /// Gives the text of a file that lies beside this one (TILT=file). Reading files is io's
+    /// work, so the reader asks; absent or empty answer: the file is treated as missing.
+    std::function<std::optional<std::string>(std::string_view file_name)> sibling;
+};
+
+/// Reads a luminaire file of any supported format from its bytes; the format is told from the
+/// content, the name only settles doubts.
+/// @param source  the file's name as messages should show it
+/// @throws InputError  with `source:line: problem (why). Suggestion?`
+[[nodiscard]] Parsed<LuminairePhotometry> parse_photometry(
+    std::string_view bytes, std::string_view source, const PhotometryOptions& options = {});
+
+} // namespace isolux

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace isolux {
+
+/// Sobol' dimensions served; beyond them use a RandomStream (METHODS "Random numbers").
+inline constexpr std::uint32_t sobol_dimensions = 20;
+
+/// Draw `dimension` of point `index` of the Sobol' sequence (Joe and Kuo direction numbers),
+/// Owen-scrambled by the hash form with `scramble`. Uniform in [0, 1), 32 bits.
+/// Blocks of 2^m points at multiples of 2^m are (t, m, s)-nets.
+/// @pre dimension < sobol_dimensions
+[[nodiscard]] double
+sobol_owen(std::uint32_t index, std::uint32_t dimension, std::uint32_t scramble) noexcept;
+
+/// A scramble seed for one dimension of one replicate.
+[[nodiscard]] std::uint32_t
+make_scramble(std::uint64_t seed, std::uint32_t replicate, std::uint32_t dimension) noexcept;
+
+} // namespace isolux

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "isolux/base/vec.h"
+
+/// Numbers in [0,1) to directions and points. Every sample_x has its pdf_x; both are pure.
+namespace isolux {
+
+/// Cosine-weighted direction about the local +z axis; density cos/pi.
+[[nodiscard]] Vector3 sample_cosine_hemisphere(double u, double v) noexcept;
+[[nodiscard]] double pdf_cosine_hemisphere(double cos_theta) noexcept;
+
+/// Uniform on the unit sphere; density 1/(4 pi).
+[[nodiscard]] UnitVector3 sample_sphere(double u, double v) noexcept;
+
+/// Uniform over a planar convex polygon (fan of triangles); density 1/area.
+[[nodiscard]] Point3
+sample_polygon(std::span<const Point3> vertices, double u, double v) noexcept;
+
+/// Rectangle seen from a point, uniform in solid angle (METHODS "Spherical rectangle").
+class SphericalRectangle {
+public:
+    /// @param corner, edge_u, edge_v  the rectangle; edges perpendicular
+    SphericalRectangle(const Point3& corner,
+                       const Vector3& edge_u,
+                       const Vector3& edge_v,
+                       const Point3& seen_from) noexcept;
+
+    [[nodiscard]] double solid_angle() const noexcept { return omega_; }
+
+    [[nodiscard]] Point3 sample(double u, double v) const noexcept; ///< density 1/solid_angle()
+
+private:
+    Point3 origin_;
+    Vector3 ex_, ey_, ez_;
+    double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
+    double b0_ = 0, b1_ = 0, k_ = 0, omega_ = 0;
+};
+
+/// Spherical triangle with unit vertices, uniform in solid angle (METHODS "Spherical
+/// triangle").
+class SphericalTriangle {
+public:
+    SphericalTriangle(const UnitVector3& a,
+                      const UnitVector3& b,
+                      const UnitVector3& c) noexcept;
+
+    [[nodiscard]] double solid_angle() const noexcept { return area_; }
+
+    [[nodiscard]] UnitVector3 sample(double u, double v) const noexcept;
+
+private:
+    Vector3 a_, b_, c_;
+    double alpha_ = 0, cos_c_ = 0, area_ = 0;
+};
+
+/// Solid angle of a planar convex polygon seen from a point, sr, always >= 0.
+[[nodiscard]] double solid_angle(std::span<const Point3> vertices,
+                                 const Point3& seen_from) noexcept;
+
+/// Index drawn with probability weight/sum by inverting the running sum, and the number
+/// stretched from the chosen interval to [0,1). @pre cumulative is non-decreasing and ends > 0
+struct DiscreteSample {
+    std::size_t index = 0;
+    double stretched = 0.0;
+};
+
+[[nodiscard]] DiscreteSample sample_cumulative(std::span<const double> cumulative,
+                                               double u) noexcept;
+
+} // namespace isolux

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "isolux/base/ids.h"
+#include "isolux/base/vec.h"
+
+namespace isolux {
+
+/// A triangle as the ray tracer sees it. `is_pane`: clear glass, light passes dimmed.
+struct CasterTriangle {
+    std::array<Point3, 3> corner;
+    bool is_pane = false;
+    bool is_shell =
+        false; ///< wall of a room: where two rooms touch, the side that faces the ray counts
+    double refractive_index = 1.52;      ///< panes only
+    double internal_transmittance = 1.0; ///< panes only
+};
+
+struct SurfaceHit {
+    TriangleId triangle;
+    double distance = 0.0; ///< m, along the ray
+    Point3 position;       ///< on the triangle, in double precision
+    UnitVector3 normal;    ///< geometric, on the side the ray came from
+    bool is_front = true;  ///< the ray met the triangle's front
+};
+
+/// Joins two points that are already offset from their surfaces.
+struct SightSegment {
+    Point3 a;
+    Point3 b;
+};
+
+inline constexpr std::size_t packet_size = 16;
+
+/// Embree behind a wall: the only border between float and double, the only file that knows
+/// which Embree it is. Coordinates are recentred before the float conversion. Safe to call from
+/// any number of threads.
+class RayCaster {
+public:
+    explicit RayCaster(std::span<const CasterTriangle> triangles);
+    ~RayCaster();
+    RayCaster(RayCaster&&) noexcept;
+    RayCaster& operator=(RayCaster&&) noexcept;
+
+    /// The nearest surface, panes included. @param max_distance  in metres
+    [[nodiscard]] std::optional<SurfaceHit>
+    find_first_hit(const Point3& origin,
+                   const UnitVector3& direction,
+                   double max_distance = 1e30) const noexcept;
+
+    /// `p` moved off its surface to the side of `free_side` by a length that float arithmetic
+    /// cannot lose (METHODS, "Ray tracer"). Rays start from and end at such points.
+    [[nodiscard]] Point3 offset_point(const Point3& p, const Vector3& free_side) const noexcept;
+
+    /// 0 if an opaque surface stands between the two points, else the product of the panes'
+    /// transmittances. Ends are taken as they are: offset them first. The last 1e-5 of the
+    /// segment does not count, so that an end may touch a surface.
+    [[nodiscard]] double transmittance(const Point3& a, const Point3& b) const noexcept;
+
+    /// The same for up to packet_size segments at once. Entries whose `wanted` bit is 0 are
+    /// left alone. Coherent segments (a common end, neighbouring others) are fast.
+    void transmittance16(std::span<const SightSegment> segments,
+                         std::uint32_t wanted,
+                         std::span<float> result) const noexcept;
+
+    [[nodiscard]] bool has_panes() const noexcept;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+} // namespace isolux
