@@ -66,11 +66,33 @@ public:
     [[nodiscard]] UnitVector3 direction(Angle plane, Angle gamma) const noexcept;
 
 private:
+    /// How to find the interval an angle lies in: by division where the nodes are evenly
+    /// spaced.
+    struct Axis {
+        double first = 0.0;           ///< rad
+        double span = 0.0;            ///< rad, last - first
+        double intervals_per_rad = 0; ///< 0: uneven, search
+    };
+
+    struct Place {
+        std::size_t interval = 0;
+        double fraction = 0.0;
+    };
+
+    [[nodiscard]] static Axis make_axis(std::span<const Angle> nodes) noexcept;
+    [[nodiscard]] static Place
+    find_place(const Axis& axis, std::span<const Angle> nodes, double from_first) noexcept;
+    [[nodiscard]] double interpolate(double azimuth, double polar) const noexcept;
+
     std::vector<Angle> planes_;
     std::vector<Angle> gammas_;
     std::vector<double> candela_;
     TablePole pole_;
     Candela max_;
+    Axis plane_axis_;
+    Axis gamma_axis_;
+    bool is_full_circle_ = false;
+    bool is_rotational_ = false;
 };
 
 } // namespace isolux
