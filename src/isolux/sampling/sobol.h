@@ -8,6 +8,11 @@ namespace isolux {
 /// Sobol' dimensions served; beyond them use a RandomStream (METHODS "Random numbers").
 inline constexpr std::uint32_t sobol_dimensions = 20;
 
+/// Draw `dimension` of point `index` of the plain Sobol' sequence, in [0, 1). For tests:
+/// without a scramble there is neither an unbiased estimate nor an error.
+/// @pre dimension < sobol_dimensions
+[[nodiscard]] double sobol(std::uint32_t index, std::uint32_t dimension) noexcept;
+
 /// Draw `dimension` of point `index` of the Sobol' sequence (Joe and Kuo direction numbers),
 /// Owen-scrambled by the hash form with `scramble`. Uniform in [0, 1), 32 bits.
 /// Blocks of 2^m points at multiples of 2^m are (t, m, s)-nets.
