@@ -17,11 +17,14 @@ namespace isolux {
 /// Uniform on the unit sphere; density 1/(4 pi).
 [[nodiscard]] UnitVector3 sample_sphere(double u, double v) noexcept;
 
-/// Uniform over a planar convex polygon (fan of triangles); density 1/area.
+/// Uniform over a planar convex polygon; density 1/area. A parallelogram is sheared from the
+/// unit square, anything else is a fan of triangles of which `u` chooses one by area.
 [[nodiscard]] Point3
 sample_polygon(std::span<const Point3> vertices, double u, double v) noexcept;
 
 /// Rectangle seen from a point, uniform in solid angle (METHODS "Spherical rectangle").
+/// Accurate from about 1e-5 sr; below that, and for a point in the rectangle's own plane, whose
+/// solid angle is given as 0, sample by area.
 class SphericalRectangle {
 public:
     /// @param corner, edge_u, edge_v  the rectangle; edges perpendicular
@@ -42,7 +45,8 @@ private:
 };
 
 /// Spherical triangle with unit vertices, uniform in solid angle (METHODS "Spherical
-/// triangle").
+/// triangle"). Either sense of rotation; three vertices on one great circle enclose nothing.
+/// Accurate from about 1e-5 sr; sample smaller ones by area.
 class SphericalTriangle {
 public:
     SphericalTriangle(const UnitVector3& a,
@@ -51,14 +55,16 @@ public:
 
     [[nodiscard]] double solid_angle() const noexcept { return area_; }
 
-    [[nodiscard]] UnitVector3 sample(double u, double v) const noexcept;
+    [[nodiscard]] UnitVector3 sample(double u,
+                                     double v) const noexcept; ///< density 1/solid_angle()
 
 private:
     Vector3 a_, b_, c_;
     double alpha_ = 0, cos_c_ = 0, area_ = 0;
 };
 
-/// Solid angle of a planar convex polygon seen from a point, sr, always >= 0.
+/// Solid angle of a planar convex polygon seen from a point, sr, always >= 0; 0 from a point in
+/// its plane. Triangles by A. van Oosterom, J. Strackee, IEEE Trans. Biomed. Eng. 30 (1983).
 [[nodiscard]] double solid_angle(std::span<const Point3> vertices,
                                  const Point3& seen_from) noexcept;
 
@@ -69,6 +75,7 @@ struct DiscreteSample {
     double stretched = 0.0;
 };
 
+/// An entry of weight 0 is never drawn.
 [[nodiscard]] DiscreteSample sample_cumulative(std::span<const double> cumulative,
                                                double u) noexcept;
 

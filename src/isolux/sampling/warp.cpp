@@ -1,0 +1,201 @@
+#include "isolux/sampling/warp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "isolux/base/check.h"
+
+namespace isolux {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double largest_below_one = 0x1.fffffffffffffp-1;
+
+/// Opposite sides equal up to rounding of coordinates of this size.
+bool is_parallelogram(std::span<const Point3> p) noexcept {
+    constexpr double rounding = 1e-12;
+    return p.size() == 4
+           && length((p[1] - p[0]) - (p[2] - p[3]))
+                  <= rounding * (length(p[1] - p[0]) + length(p[3] - p[0]));
+}
+
+Point3 sample_triangle(
+    const Point3& a, const Point3& b, const Point3& c, double u, double v) noexcept {
+    const double root = std::sqrt(u);
+    return a + root * ((1.0 - v) * (b - a) + v * (c - a));
+}
+
+/// Twice the area of triangle k of the fan around the first vertex.
+double double_area(std::span<const Point3> p, std::size_t k) noexcept {
+    return length(cross(p[k + 1] - p[0], p[k + 2] - p[0]));
+}
+
+/// Angle between two planes that meet in the direction `edge`, whose other contents are `p` and
+/// `q`: the corner angle of a spherical triangle.
+double corner_angle(const Vector3& edge, const Vector3& p, const Vector3& q) noexcept {
+    const Vector3 n = cross(edge, p);
+    const Vector3 m = cross(edge, q);
+    return std::atan2(length(cross(n, m)), dot(n, m));
+}
+
+/// [P|Q]: the unit vector of P - (P.Q) Q.
+UnitVector3 perpendicular_part(const Vector3& p, const Vector3& q) noexcept {
+    return UnitVector3(p - dot(p, q) * q);
+}
+
+double unit_sine(double cosine) noexcept {
+    return std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine)));
+}
+
+} // namespace
+
+Vector3 sample_cosine_hemisphere(double u, double v) noexcept {
+    const double radius = std::sqrt(u);
+    const double phi = 2.0 * pi * v;
+    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0 - u)};
+}
+
+double pdf_cosine_hemisphere(double cos_theta) noexcept {
+    return std::max(0.0, cos_theta) / pi;
+}
+
+UnitVector3 sample_sphere(double u, double v) noexcept {
+    const double z = 1.0 - 2.0 * u;
+    const double radius = unit_sine(z);
+    const double phi = 2.0 * pi * v;
+    return UnitVector3::from_unit({radius * std::cos(phi), radius * std::sin(phi), z});
+}
+
+Point3 sample_polygon(std::span<const Point3> vertices, double u, double v) noexcept {
+    ISOLUX_EXPECT(vertices.size() >= 3);
+    if (is_parallelogram(vertices))
+        return vertices[0] + u * (vertices[1] - vertices[0]) + v * (vertices[3] - vertices[0]);
+    const std::size_t triangles = vertices.size() - 2;
+    double total = 0.0;
+    for (std::size_t k = 0; k < triangles; ++k)
+        total += double_area(vertices, k);
+    double left = u * total;
+    std::size_t chosen = 0;
+    double area = double_area(vertices, 0);
+    while (chosen + 1 < triangles && left >= area) {
+        left -= area;
+        area = double_area(vertices, ++chosen);
+    }
+    const double stretched = area > 0.0 ? std::min(left / area, 1.0) : 0.0;
+    return sample_triangle(
+        vertices[0], vertices[chosen + 1], vertices[chosen + 2], stretched, v);
+}
+
+SphericalRectangle::SphericalRectangle(const Point3& corner,
+                                       const Vector3& edge_u,
+                                       const Vector3& edge_v,
+                                       const Point3& seen_from) noexcept
+    : origin_(seen_from) {
+    const double width = length(edge_u);
+    const double height = length(edge_v);
+    ex_ = edge_u / width;
+    ey_ = edge_v / height;
+    ez_ = cross(ex_, ey_);
+    const Vector3 d = corner - seen_from;
+    x0_ = dot(d, ex_);
+    y0_ = dot(d, ey_);
+    z0_ = dot(d, ez_);
+    if (z0_ > 0.0) { // the third axis points away from the rectangle
+        ez_ = -ez_;
+        z0_ = -z0_;
+    }
+    x1_ = x0_ + width;
+    y1_ = y0_ + height;
+    constexpr double in_plane = 1e-12; // of the distance to the corner
+    if (-z0_ <= in_plane * length(d))
+        return;
+    // Unit normals of the four planes through eye and edge: (0, y, z) for the sides along x,
+    // (x, 0, z) for those along y.
+    const double r0 = std::hypot(z0_, y0_);
+    const double r1 = std::hypot(z0_, x1_);
+    const double r2 = std::hypot(z0_, y1_);
+    const double r3 = std::hypot(z0_, x0_);
+    const auto angle = [](double ny, double nz, double mx, double mz) {
+        return std::atan2(std::hypot(ny * mz, nz * mx, ny * mx), -nz * mz);
+    };
+    const double g0 = angle(z0_ / r0, -y0_ / r0, -z0_ / r1, x1_ / r1);
+    const double g1 = angle(-z0_ / r2, y1_ / r2, -z0_ / r1, x1_ / r1);
+    const double g2 = angle(-z0_ / r2, y1_ / r2, z0_ / r3, -x0_ / r3);
+    const double g3 = angle(z0_ / r0, -y0_ / r0, z0_ / r3, -x0_ / r3);
+    b0_ = -y0_ / r0;
+    b1_ = y1_ / r2;
+    k_ = 2.0 * pi - g2 - g3;
+    omega_ = std::max(0.0, g0 + g1 - k_);
+}
+
+Point3 SphericalRectangle::sample(double u, double v) const noexcept {
+    const double a = u * omega_ + k_;
+    const double fu = (std::cos(a) * b0_ - b1_) / std::sin(a);
+    const double cu = std::clamp(std::copysign(1.0, fu) / std::hypot(fu, b0_), -1.0, 1.0);
+    const double x = std::clamp(-cu * z0_ / std::max(unit_sine(cu), 1e-15), x0_, x1_);
+    const double d2 = x * x + z0_ * z0_;
+    const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
+    const double h1 = y1_ / std::sqrt(d2 + y1_ * y1_);
+    const double h = h0 + v * (h1 - h0);
+    const double y =
+        std::clamp(h * std::sqrt(d2) / std::sqrt(std::max(1.0 - h * h, 1e-30)), y0_, y1_);
+    return origin_ + x * ex_ + y * ey_ + z0_ * ez_;
+}
+
+SphericalTriangle::SphericalTriangle(const UnitVector3& a,
+                                     const UnitVector3& b,
+                                     const UnitVector3& c) noexcept
+    : a_(a), b_(b), c_(c), alpha_(corner_angle(a, b, c)), cos_c_(dot(a, b)) {
+    area_ = std::max(0.0, alpha_ + corner_angle(b, c, a) + corner_angle(c, a, b) - pi);
+}
+
+UnitVector3 SphericalTriangle::sample(double u, double v) const noexcept {
+    const double sin_alpha = std::sin(alpha_);
+    const double cos_alpha = std::cos(alpha_);
+    const double s = std::sin(u * area_ - alpha_);
+    const double t = std::cos(u * area_ - alpha_);
+    const double big_u = t - cos_alpha;
+    const double big_w = s + sin_alpha * cos_c_;
+    const double divisor = (big_w * s + big_u * t) * sin_alpha;
+    const double ratio =
+        ((big_w * t - big_u * s) * cos_alpha - big_w) / divisor; // q of METHODS
+    const double q = divisor != 0.0 ? std::clamp(ratio, -1.0, 1.0) : 1.0;
+    const Vector3 c = q * a_ + unit_sine(q) * perpendicular_part(c_, a_);
+    const double z = 1.0 - v * (1.0 - dot(c, b_));
+    return UnitVector3(z * b_ + unit_sine(z) * perpendicular_part(c, b_));
+}
+
+double solid_angle(std::span<const Point3> vertices, const Point3& seen_from) noexcept {
+    double sum = 0.0;
+    for (std::size_t k = 2; k < vertices.size(); ++k) {
+        const Vector3 a = vertices[0] - seen_from;
+        const Vector3 b = vertices[k - 1] - seen_from;
+        const Vector3 c = vertices[k] - seen_from;
+        const double la = length(a);
+        const double lb = length(b);
+        const double lc = length(c);
+        const double triple = dot(a, cross(b, c));
+        const double rest = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+        if (triple != 0.0)
+            sum += 2.0 * std::atan2(std::abs(triple), rest);
+    }
+    return sum;
+}
+
+DiscreteSample sample_cumulative(std::span<const double> cumulative, double u) noexcept {
+    ISOLUX_EXPECT(!cumulative.empty() && cumulative.back() > 0.0);
+    // u < 1, so the target is below the total unless rounding lifts it there.
+    const double total = cumulative.back();
+    const double target = std::min(u * total, total * largest_below_one);
+    const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), target);
+    const auto index = static_cast<std::size_t>(found - cumulative.begin());
+    const double below = index > 0 ? cumulative[index - 1] : 0.0;
+    const double stretched = (target - below) / (cumulative[index] - below);
+    return {index, std::clamp(stretched, 0.0, largest_below_one)};
+}
+
+} // namespace isolux
