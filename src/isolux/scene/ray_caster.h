@@ -14,7 +14,7 @@ namespace isolux {
 
 /// A triangle as the ray tracer sees it. `is_pane`: clear glass, light passes dimmed.
 struct CasterTriangle {
-    std::array<Point3, 3> corner;
+    std::array<Point3, 3> corner{};
     bool is_pane = false;
     bool is_shell =
         false; ///< wall of a room: where two rooms touch, the side that faces the ray counts

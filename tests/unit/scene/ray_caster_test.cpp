@@ -1,0 +1,368 @@
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "isolux/base/angle.h"
+#include "isolux/base/parallel.h"
+#include "isolux/scene/material.h"
+#include "isolux/scene/ray_caster.h"
+
+namespace isolux {
+namespace {
+
+CasterTriangle opaque(const Point3& a, const Point3& b, const Point3& c) {
+    return {.corner = {a, b, c}};
+}
+
+/// The rectangle `corner`, `corner + u`, ...; its front is on the side of u x v.
+void add_rectangle(std::vector<CasterTriangle>& to,
+                   const Point3& corner,
+                   const Vector3& u,
+                   const Vector3& v,
+                   const CasterTriangle& like = {}) {
+    CasterTriangle t = like;
+    t.corner = {corner, corner + u, corner + u + v};
+    to.push_back(t);
+    t.corner = {corner, corner + u + v, corner + v};
+    to.push_back(t);
+}
+
+/// A box seen from inside: the room [0,size] shifted to `origin`.
+std::vector<CasterTriangle> make_room(const Point3& origin, const Vector3& size) {
+    const Vector3 x{size.x, 0, 0}, y{0, size.y, 0}, z{0, 0, size.z};
+    const CasterTriangle wall{.is_shell = true};
+    std::vector<CasterTriangle> t;
+    add_rectangle(t, origin, x, y, wall);
+    add_rectangle(t, origin + z, y, x, wall);
+    add_rectangle(t, origin, y, z, wall);
+    add_rectangle(t, origin + x, z, y, wall);
+    add_rectangle(t, origin, z, x, wall);
+    add_rectangle(t, origin + y, x, z, wall);
+    return t;
+}
+
+class Random {
+public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+
+    double uniform(double a, double b) {
+        return std::uniform_real_distribution<double>(a, b)(engine_);
+    }
+
+    Point3 point(double reach) {
+        return {uniform(-reach, reach), uniform(-reach, reach), uniform(-reach, reach)};
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+/// Where a segment meets a triangle's plane, told in double precision.
+struct Crossing {
+    double t = 0.0;      ///< parameter of the segment
+    double margin = 0.0; ///< least barycentric coordinate there; negative: outside
+};
+
+Crossing cross_plane(const Point3& a, const Point3& b, const CasterTriangle& tri) {
+    const Vector3 u = tri.corner[1] - tri.corner[0], v = tri.corner[2] - tri.corner[0];
+    const Vector3 n = cross(u, v);
+    const double t = dot(n, tri.corner[0] - a) / dot(n, b - a);
+    const Vector3 p = (a + t * (b - a)) - tri.corner[0];
+    const double nn = dot(n, n);
+    const double beta = dot(cross(p, v), n) / nn, gamma = dot(cross(u, p), n) / nn;
+    return {t, std::min({beta, gamma, 1.0 - beta - gamma})};
+}
+
+enum class Answer { free, blocked, too_close_to_tell };
+
+Answer brute_force(const Point3& a, const Point3& b, const std::vector<CasterTriangle>& all) {
+    constexpr double edge = 1e-4; // of a triangle; well above float rounding
+    Answer answer = Answer::free;
+    for (const auto& tri : all) {
+        const Crossing c = cross_plane(a, b, tri);
+        if (c.t < -edge || c.t > 1.0 + edge || c.margin < -edge)
+            continue;
+        if (c.margin < edge || c.t < edge || c.t > 1.0 - edge)
+            answer = Answer::too_close_to_tell;
+        else
+            return Answer::blocked;
+    }
+    return answer;
+}
+
+std::vector<CasterTriangle> random_triangles(Random& random, int count, double size) {
+    std::vector<CasterTriangle> all;
+    for (int i = 0; i < count; ++i) {
+        const Point3 p = random.point(5.0);
+        all.push_back(opaque(
+            p, p + (random.point(size) - Point3{}), p + (random.point(size) - Point3{})));
+    }
+    return all;
+}
+
+TEST(RayCaster, SeesWhatBruteForceSees) {
+    Random random(1);
+    const auto triangles = random_triangles(random, 60, 2.0);
+    const RayCaster caster(triangles);
+    int told = 0, blocked = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const Point3 a = random.point(5.0), b = random.point(5.0);
+        const Answer answer = brute_force(a, b, triangles);
+        if (answer == Answer::too_close_to_tell)
+            continue;
+        ++told;
+        blocked += answer == Answer::blocked;
+        ASSERT_EQ(caster.transmittance(a, b), answer == Answer::free ? 1.0 : 0.0) << i;
+    }
+    EXPECT_GT(told, 19000);
+    EXPECT_GT(blocked, 2000);
+    EXPECT_LT(blocked, told - 2000);
+}
+
+TEST(RayCaster, PacketsSeeWhatSingleRaysSee) {
+    Random random(2);
+    auto triangles = random_triangles(random, 60, 2.0);
+    for (std::size_t i = 0; i < triangles.size(); i += 2)
+        triangles[i].is_pane = true;
+    const RayCaster caster(triangles);
+    for (std::size_t count = 1; count <= packet_size; ++count)
+        for (int i = 0; i < 50; ++i) {
+            std::vector<SightSegment> segments;
+            const Point3 a = random.point(5.0);
+            for (std::size_t k = 0; k < count; ++k)
+                segments.push_back({a, random.point(5.0)});
+            const auto wanted = static_cast<std::uint32_t>(random.uniform(0.0, 65536.0));
+            std::vector<float> result(count, -1.0F);
+            caster.transmittance16(segments, wanted, result);
+            for (std::size_t k = 0; k < count; ++k) {
+                const double single = caster.transmittance(a, segments[k].b);
+                EXPECT_EQ(result[k],
+                          (wanted >> k & 1U) != 0 ? static_cast<float>(single) : -1.0F);
+            }
+        }
+}
+
+TEST(RayCaster, FindsTheNearestTriangleAndWhereItIsHit) {
+    Random random(3);
+    const auto triangles = random_triangles(random, 60, 2.0);
+    const RayCaster caster(triangles);
+    int hits = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const Point3 a = random.point(5.0), b = random.point(5.0);
+        const UnitVector3 direction(b - a);
+        double nearest = 1e300;
+        bool clear = true;
+        std::size_t which = 0;
+        for (std::size_t k = 0; k < triangles.size(); ++k) {
+            const Crossing c = cross_plane(a, a + Vector3(direction), triangles[k]);
+            if (c.t > 0.0 && std::abs(c.margin) < 1e-4)
+                clear = false;
+            if (c.t > 0.0 && c.margin > 0.0 && c.t < nearest)
+                nearest = c.t, which = k;
+        }
+        if (!clear || nearest < 1e-3)
+            continue;
+        const auto hit = caster.find_first_hit(a, direction);
+        ASSERT_EQ(hit.has_value(), nearest < 1e300) << i;
+        if (!hit)
+            continue;
+        ++hits;
+        EXPECT_EQ(hit->triangle.index(), which);
+        EXPECT_NEAR(
+            hit->distance, nearest, 1e-5 * (1.0 + nearest)); // a few float steps, slanted
+        EXPECT_LE(dot(hit->normal, direction), 0.0);
+        const auto& corner = triangles[which].corner;
+        EXPECT_NEAR(dot(hit->normal, hit->position - corner[0]), 0.0, 1e-13);
+        const Vector3 front = cross(corner[1] - corner[0], corner[2] - corner[0]);
+        EXPECT_EQ(hit->is_front, dot(front, direction) < 0.0);
+    }
+    EXPECT_GT(hits, 1000);
+}
+
+TEST(RayCaster, StopsAtTheAskedDistance) {
+    const RayCaster caster(make_room({0, 0, 0}, {4, 3, 2}));
+    const UnitVector3 x(Vector3{1, 0, 0});
+    EXPECT_TRUE(caster.find_first_hit({1, 1, 1}, x, 3.01));
+    EXPECT_FALSE(caster.find_first_hit({1, 1, 1}, x, 2.99));
+}
+
+TEST(RayCaster, WorksWithoutAnyTriangle) {
+    const RayCaster caster({});
+    EXPECT_FALSE(caster.find_first_hit({1, 2, 3}, UnitVector3(Vector3{0, 0, -1})));
+    EXPECT_EQ(caster.transmittance({0, 0, 0}, {1, 1, 1}), 1.0);
+    EXPECT_FALSE(caster.has_panes());
+    const SightSegment segment[] = {{{0, 0, 0}, {1, 1, 1}}};
+    float result[] = {-1.0F};
+    caster.transmittance16(segment, 1, result);
+    EXPECT_EQ(result[0], 1.0F);
+}
+
+/// Nothing is missed and nothing is met twice: every ray in a closed room hits a wall once, and
+/// a point just off the wall sees all other such points.
+void expect_closed_room_works(const Point3& origin, const Vector3& size) {
+    const RayCaster caster(make_room(origin, size));
+    Random random(4);
+    std::vector<Point3> on_walls;
+    for (int i = 0; i < 3000; ++i) {
+        const Point3 inside = origin
+                              + Vector3{size.x * random.uniform(0.01, 0.99),
+                                        size.y * random.uniform(0.01, 0.99),
+                                        size.z * random.uniform(0.01, 0.99)};
+        const UnitVector3 direction(random.point(1.0) - Point3{});
+        const auto hit = caster.find_first_hit(inside, direction);
+        ASSERT_TRUE(hit.has_value());
+        ASSERT_TRUE(hit->is_front);
+        const Point3 p = caster.offset_point(hit->position, hit->normal);
+        const auto back = caster.find_first_hit(p, -direction);
+        ASSERT_TRUE(back.has_value());
+        ASSERT_NEAR(caster.transmittance(inside, p), 1.0, 0.0);
+        ASSERT_EQ(caster.transmittance(p, inside), 1.0);
+        on_walls.push_back(p);
+    }
+    for (std::size_t i = 0; i + 1 < on_walls.size(); ++i)
+        ASSERT_EQ(caster.transmittance(on_walls[i], on_walls[i + 1]), 1.0) << i;
+    const Point3 middle = origin + 0.5 * size;
+    const Point3 outside = origin + Vector3{0.5 * size.x, 0.5 * size.y, 1.5 * size.z};
+    EXPECT_EQ(caster.transmittance(middle, outside), 0.0);
+}
+
+TEST(RayCaster, ClosedRoomLeaksNothing) { expect_closed_room_works({0, 0, 0}, {6, 4, 3}); }
+
+TEST(RayCaster, ClosedRoomAKilometreAwayLeaksNothing) {
+    expect_closed_room_works({1e3, -2e3, 5e2}, {6, 4, 3});
+}
+
+TEST(RayCaster, ClosedRoomFarOutOnTheNationalGridLeaksNothing) {
+    expect_closed_room_works({3.45e6, 5.6e6, 120}, {6.2, 4.1, 2.9});
+}
+
+TEST(RayCaster, MillimetreDetailsAreSeenAKilometreAway) {
+    // A floor with 1 mm ridges 5 mm apart, far from the origin.
+    const Point3 origin{1200, -900, 40};
+    std::vector<CasterTriangle> t;
+    add_rectangle(t, origin, {3, 0, 0}, {0, 3, 0});
+    for (int i = 0; i < 100; ++i)
+        add_rectangle(t, origin + Vector3{1.0 + 0.005 * i, 0, 0}, {0, 3, 0}, {0, 0, 0.001});
+    const RayCaster caster(t);
+    for (int i = 0; i < 99; ++i) {
+        const double x = 1.0 + 0.005 * i;
+        // Over the ridge at half its height and at twice its height.
+        const auto across = [&](double z) {
+            return caster.transmittance(origin + Vector3{x - 0.002, 1.3, z},
+                                        origin + Vector3{x + 0.002, 1.3, z});
+        };
+        ASSERT_EQ(across(0.0005), 0.0) << i;
+        ASSERT_EQ(across(0.0020), 1.0) << i;
+        // Between two ridges, down to the floor.
+        const auto hit = caster.find_first_hit(origin + Vector3{x + 0.0025, 1.3, 1.0},
+                                               UnitVector3(Vector3{0, 0, -1}));
+        ASSERT_TRUE(hit.has_value());
+        ASSERT_NEAR(hit->position.z, origin.z, 1e-12);
+    }
+}
+
+TEST(RayCaster, OffsetGrowsWithTheDistanceFromTheMiddle) {
+    const RayCaster caster(make_room({1e3, 1e3, 0}, {6, 4, 3}));
+    const Vector3 up{0, 0, 2};
+    // METHODS "Ray tracer": max |coordinate| 2^-20 + 1e-5 m, counted from the middle of the
+    // scene
+    const Point3 middle{1003, 1002, 1.5}, corner{1006, 1004, 3};
+    EXPECT_NEAR(caster.offset_point(middle, up).z - middle.z, 1e-5, 1e-12);
+    EXPECT_NEAR(caster.offset_point(corner, up).z - corner.z, 3.0 * 0x1p-20 + 1e-5, 1e-12);
+}
+
+// ---- panes
+// -------------------------------------------------------------------------------------
+
+TEST(RayCaster, PaneDimsByTheSlabFormulaAtEveryAngle) {
+    std::vector<CasterTriangle> t;
+    const CasterTriangle pane{
+        .is_pane = true, .refractive_index = 1.5, .internal_transmittance = 0.9};
+    add_rectangle(t, {-100, -100, 0}, {200, 0, 0}, {0, 200, 0}, pane);
+    const RayCaster caster(t);
+    EXPECT_TRUE(caster.has_panes());
+    for (const double angle : {0.0, 10.0, 30.0, 45.0, 60.0, 75.0, 85.0, 89.0}) {
+        const Angle theta = degrees(angle);
+        const double c = std::cos(theta.in_radians()), s = std::sin(theta.in_radians());
+        const double expected = evaluate_slab({1.5, 0.9}, c).transmittance;
+        EXPECT_NEAR(caster.transmittance({-s, 0.2, -c}, {s, 0.2, c}), expected, 1e-12);
+        EXPECT_NEAR(caster.transmittance({s, 0.2, c}, {-s, 0.2, -c}), expected, 1e-12);
+    }
+}
+
+TEST(RayCaster, TheSeamOfAPaneDimsOnce) {
+    std::vector<CasterTriangle> t;
+    const CasterTriangle pane{.is_pane = true};
+    add_rectangle(t, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, pane);
+    const RayCaster caster(t);
+    const double once = evaluate_slab({}, 1.0).transmittance;
+    for (int i = 1; i < 200; ++i) {
+        const double x = i / 200.0; // on the diagonal
+        ASSERT_NEAR(caster.transmittance({x, x, -1}, {x, x, 1}), once, 1e-12);
+    }
+}
+
+TEST(RayCaster, PanesMultiplyAndWallsStop) {
+    std::vector<CasterTriangle> t;
+    const CasterTriangle pane{.is_pane = true};
+    for (int i = 0; i < 3; ++i)
+        add_rectangle(t, {-1, -1, 0.01 * i}, {2, 0, 0}, {0, 2, 0}, pane);
+    add_rectangle(t, {-1, -1, 0.5}, {1, 0, 0}, {0, 2, 0});
+    const RayCaster caster(t);
+    const double once = evaluate_slab({}, 1.0).transmittance;
+    EXPECT_NEAR(caster.transmittance({0.5, 0, -1}, {0.5, 0, 1}), once * once * once, 1e-12);
+    EXPECT_EQ(caster.transmittance({-0.5, 0, -1}, {-0.5, 0, 1}), 0.0);
+    const auto hit = caster.find_first_hit({-0.5, 0, -1}, UnitVector3(Vector3{0, 0, 1}));
+    ASSERT_TRUE(hit);
+    EXPECT_LT(hit->triangle.index(), 2U); // the first pane, not the wall behind it
+}
+
+// ---- rooms that touch
+// --------------------------------------------------------------------------
+
+TEST(RayCaster, EachRoomSeesItsOwnSideOfASharedWall) {
+    // Far from the origin and turned, so that the two walls do not coincide to the last bit.
+    for (const double shift : {0.0, 1.234567e4}) {
+        auto triangles = make_room({shift, 0, 0}, {4.1, 3.3, 2.7});
+        const auto left_count = triangles.size();
+        for (const auto& t : make_room({shift + 4.1, -1.1, 0}, {3.3, 5.7, 2.9}))
+            triangles.push_back(t);
+        const RayCaster caster(triangles);
+        Random random(5);
+        for (int i = 0; i < 5000; ++i) {
+            const bool left = i % 2 == 0;
+            const Point3 p{shift + (left ? random.uniform(0.1, 4.0) : random.uniform(4.2, 7.3)),
+                           random.uniform(0.1, 3.2),
+                           random.uniform(0.1, 2.6)};
+            const auto hit =
+                caster.find_first_hit(p, UnitVector3(random.point(1.0) - Point3{}));
+            ASSERT_TRUE(hit);
+            EXPECT_TRUE(hit->is_front) << i;
+            EXPECT_EQ(hit->triangle.index() < left_count, left) << i;
+        }
+    }
+}
+
+TEST(RayCaster, HitsDoNotDependOnTheNumberOfThreadsThatBuiltTheTree) {
+    Random random(6);
+    const auto triangles = random_triangles(random, 20000, 0.5);
+    const auto trace = [&](std::size_t threads) {
+        const ThreadLimit limit(threads);
+        const RayCaster caster(triangles);
+        Random rays(7);
+        std::vector<double> distances;
+        for (int i = 0; i < 5000; ++i) {
+            const Point3 from = rays.point(5.0);
+            const auto hit =
+                caster.find_first_hit(from, UnitVector3(rays.point(1.0) - Point3{}));
+            distances.push_back(hit ? hit->distance : -1.0);
+        }
+        return distances;
+    };
+    EXPECT_EQ(trace(1), trace(0));
+}
+
+} // namespace
+} // namespace isolux
