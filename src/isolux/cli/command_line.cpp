@@ -1,0 +1,154 @@
+#include "isolux/cli/command_line.h"
+
+#include <array>
+#include <exception>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "isolux/base/error.h"
+#include "isolux/cli/console.h"
+#include "isolux/cli/suggest.h"
+
+namespace isolux {
+
+namespace {
+
+struct Verb {
+    const char* name;
+    Action (*add)(CLI::App&);
+};
+
+constexpr std::array verbs{
+    Verb{"schema", add_schema},
+};
+
+constexpr const char* top_level_footer = R"(
+Examples:
+  isolux run projects/open-office         calculate everything in a project
+  isolux run --help                       options and examples of a verb
+  isolux schema project                   the project file's JSON schema
+
+Exit status: 0 done; 2 your files or options are wrong; 1 anything else.)";
+
+std::vector<std::string> names_of_verbs() {
+    std::vector<std::string> names;
+    for (const Verb& verb : verbs)
+        names.emplace_back(verb.name);
+    return names;
+}
+
+/// The first word must be a verb. CLI11 would only say that something was not expected.
+void check_first_word(const std::string& word) {
+    if (word == "-h" || word == "--help" || word == "--version")
+        return;
+    if (word.starts_with('-'))
+        throw InputError("isolux",
+                         fmt::format("unknown option '{}'", word),
+                         "The verb comes first, its options after it: `isolux run --help`");
+    const std::vector<std::string> known = names_of_verbs();
+    if (std::find(known.begin(), known.end(), word) != known.end())
+        return;
+    std::string hint = "`isolux --help` lists the verbs";
+    if (const auto similar = find_similar(word, known))
+        hint = fmt::format("Did you mean `isolux {}`?", *similar);
+    else if (std::error_code ignored; std::filesystem::exists(word, ignored))
+        hint = fmt::format("Did you mean `isolux run {}`?", word);
+    throw InputError("isolux", fmt::format("'{}' is not a verb", word), hint);
+}
+
+/// Words that the verb could not place.
+void check_left_over(const CLI::App& verb) {
+    std::vector<Message> messages;
+    std::vector<std::string> known;
+    for (const CLI::Option* option : verb.get_options()) {
+        for (const std::string& name : option->get_lnames())
+            known.push_back("--" + name);
+    }
+    const std::string place = "isolux " + verb.get_name();
+    for (const std::string& word : verb.remaining()) {
+        if (!word.starts_with('-')) {
+            messages.push_back({place, fmt::format("'{}' is one argument too many", word), ""});
+            continue;
+        }
+        const std::string name = word.substr(0, word.find('='));
+        const auto similar = find_similar(name, known);
+        messages.push_back({place,
+                            fmt::format("unknown option '{}'", name),
+                            similar ? fmt::format("Did you mean {}?", *similar)
+                                    : fmt::format("`{} --help` lists the options", place)});
+    }
+    if (!messages.empty())
+        throw InputError(std::move(messages));
+}
+
+ExitCode parse_and_act(std::span<const std::string> arguments) {
+    CLI::App app("isolux calculates what light does in a room: illuminance with its error.",
+                 "isolux");
+    app.require_subcommand(1);
+    app.get_formatter()->label("SUBCOMMAND", "VERB");
+    app.set_help_flag("-h,--help", "Print this help and exit");
+    app.set_version_flag(
+        "--version", "isolux " ISOLUX_VERSION, "Print the program's version and exit");
+    std::vector<std::pair<CLI::App*, Action>> actions;
+    for (const Verb& verb : verbs) {
+        CLI::App* sub = app.add_subcommand(verb.name);
+        sub->group("Verbs");
+        sub->allow_extras();
+        actions.emplace_back(sub, verb.add(*sub));
+    }
+    app.footer(top_level_footer); // only now: verbs added later would inherit it
+    if (arguments.empty()) {
+        print(app.help());
+        return ExitCode::bad_input;
+    }
+    check_first_word(arguments.front());
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        const auto chosen = app.get_subcommands();
+        print(chosen.empty() ? app.help() : chosen.front()->help("isolux"));
+        return ExitCode::success;
+    } catch (const CLI::CallForVersion&) {
+        print("isolux " ISOLUX_VERSION "\n");
+        return ExitCode::success;
+    } catch (const CLI::ParseError& e) {
+        const auto chosen = app.get_subcommands();
+        const std::string place =
+            chosen.empty() ? "isolux" : "isolux " + chosen.front()->get_name();
+        throw InputError(place, e.what(), fmt::format("See `{} --help`", place));
+    }
+    for (const auto& [verb, action] : actions) {
+        if (!verb->parsed())
+            continue;
+        check_left_over(*verb);
+        return action();
+    }
+    return ExitCode::failure;
+}
+
+} // namespace
+
+ExitCode run_command_line(std::span<const std::string> arguments) noexcept {
+    try {
+        const ExitCode code = parse_and_act(arguments);
+        flush_output();
+        return code;
+    } catch (const InputError& e) {
+        for (const Message& message : e.messages())
+            report_error(message);
+        return ExitCode::bad_input;
+    } catch (const OutputClosed&) {
+        return ExitCode::success;
+    } catch (const std::exception& e) {
+        report_error({"", e.what(), ""});
+    } catch (...) {
+        report_error({"", "unknown failure", ""});
+    }
+    return ExitCode::failure;
+}
+
+} // namespace isolux
