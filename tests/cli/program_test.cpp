@@ -73,7 +73,7 @@ Ran run_program(const std::vector<std::string>& arguments, const std::string& in
     const TemporaryFolder folder;
     std::string script = "\"$ISOLUX\"";
     for (const std::string& argument : arguments)
-        script += " " + quote(argument);
+        script.append(" ").append(quote(argument));
     return run_shell(script + " < " + quote(folder.write("in", input)));
 }
 

@@ -1,11 +1,47 @@
-#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "isolux/base/error.h"
 #include "isolux/cli/console.h"
+#include "isolux/cli/suggest.h"
 #include "isolux/cli/verbs.h"
+#include "isolux/io/schemas.h"
 
 namespace isolux {
-Action add_schema(CLI::App& verb) {
-    verb.description("Prints a JSON schema");
-    return [] { return ExitCode::success; };
+
+namespace {
+
+ExitCode print_schema(const std::string& name) {
+    const auto text = find_schema(name);
+    if (!text) {
+        const std::vector<std::string> names = schema_names();
+        const auto similar = find_similar(name, names);
+        throw InputError("isolux schema",
+                         fmt::format("there is no schema '{}'", name),
+                         similar ? fmt::format("Did you mean {}?", *similar)
+                                 : fmt::format("Known are {}", fmt::join(names, " and ")));
+    }
+    print(*text);
+    return ExitCode::success;
 }
+
+} // namespace
+
+Action add_schema(CLI::App& verb) {
+    verb.description("Print the JSON schema of project files or of results.json");
+    verb.footer(R"(
+Examples:
+  isolux schema > project.schema.json     give it to your editor
+  isolux schema results                   what results.json contains)");
+    const auto name = std::make_shared<std::string>("project");
+    verb.add_option("NAME", *name, fmt::format("{}", fmt::join(schema_names(), " or ")))
+        ->capture_default_str();
+    return [name] { return print_schema(*name); };
+}
+
 } // namespace isolux
