@@ -12,6 +12,20 @@ TEST(SchemaVerb, PrintsTheProjectSchemaByDefault) {
     EXPECT_EQ(ran.out, run_program({"schema", "project"}).out);
 }
 
+TEST(SchemaVerb, PrintsTheResultsSchema) {
+    const Ran ran = run_program({"schema", "results"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.out, read_text(ISOLUX_SOURCE_DIR "/schema/results.schema.json"));
+}
+
+TEST(SchemaVerb, ListsSchemasToWhoeverWantsAnother) {
+    const Ran ran = run_program({"schema", "luminaire"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_EQ(ran.err,
+              "error: isolux schema: there is no schema 'luminaire'. Known are project and "
+              "results\n");
+}
+
 TEST(SchemaVerb, SuggestsTheSchemaThatWasMeant) {
     const Ran ran = run_program({"schema", "projects"});
     EXPECT_EQ(ran.exit_code, 2);

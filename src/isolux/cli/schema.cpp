@@ -1,6 +1,9 @@
+#include "isolux/io/schema.h"
+
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -10,23 +13,22 @@
 #include "isolux/cli/console.h"
 #include "isolux/cli/suggest.h"
 #include "isolux/cli/verbs.h"
-#include "isolux/io/schemas.h"
 
 namespace isolux {
 
 namespace {
 
+const std::array<std::string, 2> names{"project", "results"};
+
 ExitCode print_schema(const std::string& name) {
-    const auto text = find_schema(name);
-    if (!text) {
-        const std::vector<std::string> names = schema_names();
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
         const auto similar = find_similar(name, names);
         throw InputError("isolux schema",
                          fmt::format("there is no schema '{}'", name),
                          similar ? fmt::format("Did you mean {}?", *similar)
                                  : fmt::format("Known are {}", fmt::join(names, " and ")));
     }
-    print(*text);
+    print(name == "project" ? project_schema() : results_schema());
     return ExitCode::success;
 }
 
@@ -39,7 +41,7 @@ Examples:
   isolux schema > project.schema.json     give it to your editor
   isolux schema results                   what results.json contains)");
     const auto name = std::make_shared<std::string>("project");
-    verb.add_option("NAME", *name, fmt::format("{}", fmt::join(schema_names(), " or ")))
+    verb.add_option("NAME", *name, fmt::format("{}", fmt::join(names, " or ")))
         ->capture_default_str();
     return [name] { return print_schema(*name); };
 }
