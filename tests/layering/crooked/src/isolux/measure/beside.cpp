@@ -1,0 +1,1 @@
+#include "isolux/transport/light_path.h"

@@ -1,0 +1,3 @@
+#include <vtkPolyData.h>
+
+#include "neighbour.h"

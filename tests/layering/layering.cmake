@@ -1,0 +1,88 @@
+# Reads every #include of the library, the pictures and the command, and compares it with the
+# plan of ARCHITECTURE.md: arrows point down only, third-party headers stay in .cpp files and in
+# the room that may know them.
+#
+#   cmake -DROOT=<repository> [-DEXPECTED=<number of problems, 0 if left out>] -P layering.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# room: what it may include, besides itself and the standard library
+set(base)
+set(photometry base)
+set(sampling base)
+set(filter base)
+set(validate base)
+set(scene base photometry)
+set(transport base photometry sampling scene)
+set(measure base photometry scene)
+set(calc base photometry sampling filter validate scene transport measure)
+set(io base photometry scene measure calc)
+set(viz base measure calc io)
+set(cli base photometry sampling filter validate scene transport measure calc io viz)
+set(rooms base photometry sampling filter validate scene transport measure calc io viz cli)
+
+# third-party header: the rooms whose .cpp files may include it
+set(foreign_families
+    "tbb/=base" "oneapi/=base" "embree[34]/=scene" "OpenMesh/=scene" "nlohmann/=io,cli"
+    "valijson/=io" "CLI/=cli" "vtk=viz")
+
+set(problems)
+
+function(complain file line why)
+  cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${ROOT})
+  set(problems ${problems} "${file}: ${line} (${why})" PARENT_SCOPE)
+endfunction()
+
+function(check_include file room line)
+  if(line MATCHES "\"isolux/([a-z_]+)/")
+    if(NOT CMAKE_MATCH_1 STREQUAL room AND NOT CMAKE_MATCH_1 IN_LIST ${room})
+      complain(${file} "${line}" "${room} stands below ${CMAKE_MATCH_1} or beside it")
+    endif()
+  elseif(line MATCHES "\"")
+    complain(${file} "${line}" "a quoted include starts with isolux/")
+  elseif(line MATCHES "<([^>]+)>")
+    set(name ${CMAKE_MATCH_1})
+    if(file MATCHES "\\.h$" AND NOT name MATCHES "^[a-z_0-9]+$")
+      complain(${file} "${line}" "headers include the standard library and isolux only")
+    endif()
+    foreach(entry ${foreign_families})
+      string(REGEX MATCH "^(.*)=(.*)$" unused "${entry}")
+      set(prefix ${CMAKE_MATCH_1})
+      string(REPLACE "," ";" allowed "${CMAKE_MATCH_2}")
+      if(name MATCHES "^${prefix}" AND NOT room IN_LIST allowed)
+        complain(${file} "${line}" "known only in ${allowed}")
+      endif()
+    endforeach()
+  endif()
+  set(problems ${problems} PARENT_SCOPE)
+endfunction()
+
+set(count 0)
+foreach(house src/isolux viz/isolux)
+  file(GLOB_RECURSE files ${ROOT}/${house}/*.h ${ROOT}/${house}/*.cpp)
+  foreach(file ${files})
+    cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${ROOT}/${house} OUTPUT_VARIABLE inside)
+    string(REGEX REPLACE "/.*" "" room ${inside})
+    if(NOT room IN_LIST rooms)
+      complain(${file} "room '${room}'" "the plan has no such room")
+      continue()
+    endif()
+    file(STRINGS ${file} lines REGEX "^[ \t]*#[ \t]*include")
+    foreach(line IN LISTS lines)
+      check_include(${file} ${room} "${line}")
+      math(EXPR count "${count} + 1")
+    endforeach()
+  endforeach()
+endforeach()
+
+if(count EQUAL 0)
+  message(FATAL_ERROR "no #include found below ${ROOT}: is that the repository?")
+endif()
+list(LENGTH problems found)
+if(NOT DEFINED EXPECTED)
+  set(EXPECTED 0)
+endif()
+if(NOT found EQUAL EXPECTED)
+  list(JOIN problems "\n  " text)
+  message(FATAL_ERROR "${found} includes do not follow the plan (${EXPECTED} expected):\n  ${text}")
+endif()
+message(STATUS "${count} includes read, ${found} do not follow the plan, as expected")
