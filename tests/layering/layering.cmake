@@ -16,7 +16,7 @@ set(transport base photometry sampling scene)
 set(measure base photometry scene)
 set(calc base photometry sampling filter validate scene transport measure)
 set(io base photometry scene measure calc)
-set(viz base measure calc io)
+set(viz base photometry scene measure calc io)
 set(cli base photometry sampling filter validate scene transport measure calc io viz)
 set(rooms base photometry sampling filter validate scene transport measure calc io viz cli)
 
