@@ -53,7 +53,7 @@ enum class BodyModel {
 struct LuminaireType {
     std::string name;
     std::string file; ///< as the project names it; empty without a file
-    std::variant<LuminairePhotometry, LambertianSource, IsotropicSource> source;
+    std::variant<LambertianSource, IsotropicSource, LuminairePhotometry> source;
     LuminousOpening opening; ///< as in the file, or overridden
     BodyModel body = BodyModel::none;
     double flux_scale = 1.0;   ///< flux override / flux of the interpolant, or 1

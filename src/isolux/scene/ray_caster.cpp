@@ -272,6 +272,33 @@ std::vector<std::vector<std::uint32_t>> find_twins(const std::vector<Piece>& pie
     return twins;
 }
 
+/// Distance in metres from `p` to the nearest point of a triangle: over its inside the distance
+/// to the plane, elsewhere that to the nearest edge.
+double distance_to(const Piece& piece, const Vector3& p) noexcept {
+    if (is_on(piece, p - dot(piece.normal, p - piece.a) * Vector3(piece.normal), 0.0))
+        return std::abs(dot(piece.normal, p - piece.a));
+    const Vector3 corner[] = {piece.a, piece.a + piece.ab, piece.a + piece.ac};
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const Vector3 edge = corner[(i + 1) % 3] - corner[i];
+        const double along =
+            length_squared(edge) > 0.0 ? dot(p - corner[i], edge) / length_squared(edge) : 0.0;
+        least = std::min(least, length(p - (corner[i] + std::clamp(along, 0.0, 1.0) * edge)));
+    }
+    return least;
+}
+
+/// Whether two triangles are parts of one surface as far as light is concerned: hardly turned
+/// against each other, and neither in front of the other.
+bool continues(const Piece& p, const Piece& q) noexcept {
+    constexpr double cos_20_degrees = 0.9397;
+    if (std::abs(dot(p.normal, q.normal)) < cos_20_degrees)
+        return false;
+    const double size = std::max(length(p.ab), length(p.ac)) + length(q.a - p.a);
+    return std::abs(dot(p.normal, q.a - p.a)) <= 0.35 * length(q.a - p.a) + 1e-9 * size
+           && std::abs(dot(q.normal, p.a - q.a)) <= 0.35 * length(q.a - p.a) + 1e-9 * size;
+}
+
 } // namespace
 
 // ---- the caster
@@ -467,5 +494,48 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
 }
 
 bool RayCaster::has_panes() const noexcept { return !implementation_->panes.empty(); }
+
+SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
+                                                  double radius) const noexcept {
+    // Embree hands over the triangles whose boxes meet the sphere; the closest of them that
+    // belong to two different planes are kept.
+    struct Search {
+        const std::vector<Piece>* pieces;
+        Vector3 p;
+        double radius;
+        double nearest;
+        double second;
+        const Piece* nearest_piece;
+    };
+
+    const auto& self = *implementation_;
+    Search search{&self.opaque, p - self.centre, radius, radius, radius, nullptr};
+    RTCPointQuery query{};
+    query.x = static_cast<float>(search.p.x);
+    query.y = static_cast<float>(search.p.y);
+    query.z = static_cast<float>(search.p.z);
+    query.radius = static_cast<float>(radius);
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    const RTCPointQueryFunction visit = [](RTCPointQueryFunctionArguments* arguments) {
+        auto& s = *static_cast<Search*>(arguments->userPtr);
+        const Piece& piece = (*s.pieces)[arguments->primID];
+        const double d = distance_to(piece, s.p);
+        if (s.nearest_piece != nullptr && continues(*s.nearest_piece, piece)) {
+            if (d < s.nearest)
+                s.nearest = d;
+        } else if (d < s.nearest) {
+            if (s.nearest_piece != nullptr)
+                s.second = s.nearest;
+            s.nearest = d;
+            s.nearest_piece = &piece;
+        } else if (d < s.second) {
+            s.second = d;
+        }
+        return false;
+    };
+    rtcPointQuery(self.opaque_scene.get(), &query, &context, visit, &search);
+    return {search.nearest, search.second};
+}
 
 } // namespace isolux

@@ -36,6 +36,12 @@ struct SightSegment {
     Point3 b;
 };
 
+/// Distances in metres from a point to the surfaces around it.
+struct SurfaceDistances {
+    double nearest = 0.0;
+    double second = 0.0;
+};
+
 inline constexpr std::size_t packet_size = 16;
 
 /// Embree behind a wall: the only border between float and double, the only file that knows
@@ -70,6 +76,12 @@ public:
                          std::span<float> result) const noexcept;
 
     [[nodiscard]] bool has_panes() const noexcept;
+
+    /// How far `p` is from the nearest opaque surface and from the nearest one that is not the
+    /// same surface gone on (another plane, turned by more than 20 degrees or shifted). Looks
+    /// no farther than `radius`; what is farther counts as `radius`.
+    [[nodiscard]] SurfaceDistances find_nearest_surfaces(const Point3& p,
+                                                         double radius) const noexcept;
 
 private:
     struct Implementation;
