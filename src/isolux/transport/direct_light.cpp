@@ -1,0 +1,267 @@
+#include "isolux/transport/direct_light.h"
+
+#include "isolux/base/polygon.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/response.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace isolux {
+
+namespace {
+
+/// An opening smaller than the distance by this factor counts as a point: the error of that is
+/// below 1 / (4 x 40^2) = 0.016 % (METHODS "Point model").
+constexpr double point_like_ratio = 40.0;
+
+constexpr std::size_t pilot_rays = 8;         ///< per luminaire, to see whether it is wholly visible
+constexpr std::size_t unshadowed_samples = 8; ///< per replicate, where no closed form exists
+constexpr std::size_t shadowed_samples = 4;   ///< per replicate, in a penumbra
+constexpr std::uint32_t pilot_replicate = 0xffffU;
+
+} // namespace
+
+/// Which numbers a luminaire's samples take: Sobol' pairs of its own for every replicate.
+struct DirectLight::Randomness {
+    std::uint64_t seed;
+    std::uint64_t receiver;
+    std::uint32_t unit;
+    std::size_t luminaire = 0;
+    std::uint32_t chain = 0; ///< 0: straight
+
+    struct Pair {
+        std::uint32_t scramble_u;
+        std::uint32_t scramble_v;
+
+        [[nodiscard]] std::array<double, 2> operator()(std::uint32_t index) const noexcept {
+            return {sobol_owen(index, 0, scramble_u), sobol_owen(index, 1, scramble_v)};
+        }
+    };
+
+    [[nodiscard]] Pair pair(std::uint32_t replicate) const noexcept {
+        const RandomStream stream(seed, StreamPurpose::direct, replicate);
+        const auto d = static_cast<std::uint32_t>(2 * (luminaire + 4096 * chain));
+        return {stream.bits(receiver, d), stream.bits(receiver, d + 1)};
+    }
+};
+
+DirectLight::DirectLight(const Scene& scene, const Emission& emission, const MirrorImages& images)
+    : scene_(&scene), emission_(&emission), images_(&images) {}
+
+bool DirectLight::is_point_like(std::size_t luminaire, const Point3& at) const noexcept {
+    const Luminaire& l = emission_->luminaire(luminaire);
+    if (l.opening.form == OpeningForm::point) return true;
+    const double reach = point_like_ratio * l.opening.largest_dimension;
+    return length_squared(at - l.placement.world_from_luminaire.origin) > reach * reach;
+}
+
+DirectLight::Term DirectLight::unshadowed(const Receiver& receiver,
+                                          const Point3& at,
+                                          std::size_t luminaire,
+                                          double u,
+                                          double v) const noexcept {
+    const TowardsSample sample = emission_->sample_opening(luminaire, at, u, v);
+    if (!(sample.density > 0.0)) return {};
+    const Vector3 d = at - sample.from.position;
+    const double d2 = length_squared(d);
+    if (!(d2 > 0.0)) return {};
+    const UnitVector3 w(d);
+    const double response = evaluate_response(receiver, -w);
+    if (response <= 0.0) return {};
+    const double value = emission_->evaluate(sample.from, w) * response / (d2 * sample.density);
+    return {value, emission_->departure(sample.from, w)};
+}
+
+void DirectLight::add_opening(const Receiver& receiver,
+                              const Point3& at,
+                              std::size_t luminaire,
+                              const Randomness& randomness,
+                              std::span<Rgb> result,
+                              std::uint64_t& rays) const {
+    const Luminaire& l = emission_->luminaire(luminaire);
+    const LuminaireType& type = scene_->type_of(l);
+    const Rgb colour = emission_->colour(luminaire);
+    std::array<SightSegment, packet_size> segments;
+    std::array<double, packet_size> values{};
+    std::array<float, packet_size> visible{};
+
+    // Pilot: which share of the opening is visible. It only steers.
+    const auto pilot = randomness.pair(pilot_replicate);
+    double pilot_sum = 0.0;
+    double pilot_visible = 0.0;
+    std::uint32_t wanted = 0;
+    for (std::uint32_t i = 0; i < pilot_rays; ++i) {
+        const auto [u, v] = pilot(i);
+        const Term t = unshadowed(receiver, at, luminaire, u, v);
+        values[i] = t.value;
+        segments[i] = {at, t.departure};
+        if (t.value > 0.0) wanted |= 1U << i;
+    }
+    if (wanted != 0) {
+        scene_->caster.transmittance16(std::span(segments).first(pilot_rays), wanted,
+                                       std::span(visible).first(pilot_rays));
+        rays += pilot_rays;
+    }
+    for (std::uint32_t i = 0; i < pilot_rays; ++i) {
+        if ((wanted >> i & 1U) == 0) continue;
+        pilot_sum += values[i];
+        pilot_visible += values[i] * static_cast<double>(visible[i]);
+    }
+    const double beta = pilot_sum > 0.0 ? pilot_visible / pilot_sum : 0.0;
+    const bool is_mixed = beta > 0.0 && beta < 1.0;
+    const std::size_t looks = is_mixed ? shadowed_samples : 1;
+
+    // The unshadowed light, exact where Lambert's formula gives it.
+    const bool is_analytic = std::holds_alternative<LambertianSource>(type.source)
+                             && l.opening.form == OpeningForm::flat && is_planar(receiver);
+    double exact = 0.0;
+    if (is_analytic) {
+        const Facet& facet = l.opening.facets.front();
+        if (dot(facet.normal, at - facet.vertices.front()) > 0.0) {
+            const double luminance = in_lumen(l.flux) / (std::numbers::pi * facet.area);
+            exact = luminance * projected_solid_angle(facet.vertices, at, receiver.axis);
+        }
+        if (exact <= 0.0) return;
+    }
+
+    // Replicates: beta x unshadowed + (1/looks) sum of c (V - beta); rays of several replicates
+    // share a packet.
+    const std::size_t per_packet = packet_size / looks;
+    for (std::size_t r0 = 0; r0 < result.size(); r0 += per_packet) {
+        const std::size_t r1 = std::min(result.size(), r0 + per_packet);
+        std::array<double, packet_size> base{};
+        std::size_t n = 0;
+        wanted = 0;
+        for (std::size_t r = r0; r < r1; ++r) {
+            const auto numbers = randomness.pair(static_cast<std::uint32_t>(r));
+            const std::size_t samples =
+                is_analytic || beta == 0.0 ? looks : std::max(looks, unshadowed_samples);
+            const auto first = static_cast<std::uint32_t>(randomness.unit * unshadowed_samples);
+            double sum = 0.0;
+            for (std::uint32_t i = 0; i < samples; ++i) {
+                const auto [u, v] = numbers(first + i);
+                const Term t = unshadowed(receiver, at, luminaire, u, v);
+                sum += t.value;
+                if (i >= looks) continue;
+                values[n] = t.value;
+                segments[n] = {at, t.departure};
+                if (t.value > 0.0) wanted |= 1U << n;
+                ++n;
+            }
+            base[r - r0] = beta * (is_analytic ? exact : sum / static_cast<double>(samples));
+        }
+        if (wanted != 0) {
+            scene_->caster.transmittance16(
+                std::span(segments).first(n), wanted, std::span(visible).first(n));
+            rays += n;
+        }
+        for (std::size_t r = r0; r < r1; ++r) {
+            double sum = 0.0;
+            for (std::size_t k = (r - r0) * looks; k < (r - r0 + 1) * looks; ++k)
+                if ((wanted >> k & 1U) != 0)
+                    sum += values[k] * (static_cast<double>(visible[k]) - beta);
+            result[r] += (base[r - r0] + sum / static_cast<double>(looks)) * colour;
+        }
+    }
+}
+
+void DirectLight::add_images(const Receiver& receiver,
+                             const Point3& at,
+                             const Randomness& randomness,
+                             std::span<Rgb> result,
+                             std::uint64_t& rays) const {
+    const auto contribution = [&](const std::vector<std::uint32_t>& chain, const TowardsSample& s) {
+        if (!(s.density > 0.0)) return 0.0;
+        const ImageLight light =
+            trace_image(*scene_, *emission_, *images_, chain, at, s, rays);
+        if (light.strength <= 0.0) return 0.0;
+        return light.strength * evaluate_response(receiver, light.arrival) / s.density;
+    };
+    const auto& chains = images_->chains();
+    for (std::uint32_t c = 0; c < chains.size(); ++c) {
+        const Point3 image = image_of(*images_, chains[c], at);
+        for (std::size_t l = 0; l < emission_->luminaires(); ++l) {
+            const Rgb colour = emission_->colour(l);
+            if (emission_->luminaire(l).opening.form == OpeningForm::point) {
+                const double e =
+                    contribution(chains[c], emission_->sample_opening(l, image, 0.5, 0.5));
+                for (Rgb& r : result) r += e * colour;
+                continue;
+            }
+            Randomness own = randomness;
+            own.luminaire = l;
+            own.chain = c + 1;
+            for (std::size_t r = 0; r < result.size(); ++r) {
+                const auto numbers = own.pair(static_cast<std::uint32_t>(r));
+                double sum = 0.0;
+                for (std::uint32_t i = 0; i < shadowed_samples; ++i) {
+                    const auto [u, v] =
+                        numbers(static_cast<std::uint32_t>(randomness.unit * shadowed_samples) + i);
+                    sum += contribution(chains[c], emission_->sample_opening(l, image, u, v));
+                }
+                result[r] += (sum / static_cast<double>(shadowed_samples)) * colour;
+            }
+        }
+    }
+}
+
+void DirectLight::estimate(const Receiver& receiver,
+                           std::uint64_t receiver_index,
+                           std::uint64_t seed,
+                           std::uint32_t unit,
+                           std::span<Rgb> result,
+                           std::uint64_t& rays) const {
+    std::fill(result.begin(), result.end(), Rgb{});
+    if (emission_->total_flux() <= 0.0) return;
+    const Point3 at = clear_point(*scene_, receiver);
+    Randomness randomness{seed, receiver_index, unit};
+
+    // Point-like luminaires: one ray each, the same value for every replicate.
+    std::array<SightSegment, packet_size> segments;
+    std::array<float, packet_size> visible{};
+    std::array<Rgb, packet_size> values;
+    std::size_t n = 0;
+    Rgb exact;
+    const auto flush = [&] {
+        if (n == 0) return;
+        scene_->caster.transmittance16(std::span(segments).first(n), (1U << n) - 1U,
+                                       std::span(visible).first(n));
+        rays += n;
+        for (std::size_t i = 0; i < n; ++i) exact += static_cast<double>(visible[i]) * values[i];
+        n = 0;
+    };
+    for (std::size_t l = 0; l < emission_->luminaires(); ++l) {
+        if (!is_point_like(l, at)) {
+            randomness.luminaire = l;
+            add_opening(receiver, at, l, randomness, result, rays);
+            continue;
+        }
+        const Luminaire& luminaire = emission_->luminaire(l);
+        const Point3 centre = luminaire.placement.world_from_luminaire.origin;
+        const UnitVector3 w(at - centre);
+        const double response = evaluate_response(receiver, -w);
+        if (response <= 0.0) continue;
+        const Frame& frame = luminaire.placement.world_from_luminaire;
+        const double intensity =
+            luminaire.placement.scale
+            * in_candela(luminous_intensity(scene_->type_of(luminaire),
+                                            UnitVector3::from_unit(frame.vector_to_local(w))));
+        if (intensity <= 0.0) continue;
+        values[n] = (intensity * response / length_squared(at - centre)) * emission_->colour(l);
+        const EmissionPoint from{l, 0, centre};
+        segments[n] = {at, luminaire.opening.form == OpeningForm::solid
+                               ? emission_->sample_opening(l, at, 0.5, 0.5).from.position
+                               : emission_->departure(from, w)};
+        if (++n == packet_size) flush();
+    }
+    flush();
+    for (Rgb& r : result) r += exact;
+
+    if (!images_->chains().empty()) add_images(receiver, at, randomness, result, rays);
+}
+
+} // namespace isolux

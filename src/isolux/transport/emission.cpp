@@ -1,0 +1,287 @@
+#include "isolux/transport/emission.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "isolux/sampling/warp.h"
+
+namespace isolux {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Up to this many luminaires every one is weighed for every place.
+constexpr std::size_t few_luminaires = 64;
+
+/// Solid angle above which a flat rectangle is also sampled in solid angle (METHODS, "Openings
+/// with a photometric table"), sr.
+constexpr double large_solid_angle = 0.05;
+
+/// A black panel stands this far behind a flat opening (see build_scene), m; light that leaves
+/// backwards starts behind it.
+constexpr double behind_panel = 2.5e-4;
+
+bool is_rectangular(const Facet& f) noexcept {
+    if (f.vertices.size() != 4)
+        return false;
+    const Vector3 a = f.vertices[1] - f.vertices[0];
+    const Vector3 b = f.vertices[3] - f.vertices[0];
+    const Vector3 closing = (f.vertices[2] - f.vertices[0]) - (a + b);
+    const double scale = length(a) + length(b);
+    return std::abs(dot(a, b)) < 1e-9 * scale * scale && length(closing) < 1e-9 * scale;
+}
+
+SphericalRectangle seen_from(const Facet& f, const Point3& place) noexcept {
+    return {f.vertices[0], f.vertices[1] - f.vertices[0], f.vertices[3] - f.vertices[0], place};
+}
+
+/// Area that all facets together show towards w.
+double projected_area(const Opening& opening, const Vector3& w) noexcept {
+    double sum = 0.0;
+    for (const Facet& f : opening.facets)
+        sum += f.area * std::max(0.0, dot(f.normal, w));
+    return sum;
+}
+
+/// Weight of a facet of a solid opening for light towards `place`: its area by the cosine at
+/// its first corner, not less than a little, and nothing behind it.
+double facet_weight(const Facet& f, const Point3& place) noexcept {
+    const Vector3 d = place - f.vertices[0];
+    const double height = dot(f.normal, d);
+    if (height <= 0.0)
+        return 0.0;
+    return f.area * (0.1 + height / length(d));
+}
+
+} // namespace
+
+Emission::Emission(const Scene& scene) : scene_(&scene) {
+    std::vector<std::optional<std::size_t>> table_of_type(scene.luminaire_types.size());
+    tables_.reserve(scene.luminaire_types.size());
+    for (std::size_t t = 0; t < scene.luminaire_types.size(); ++t) {
+        const auto* file = std::get_if<LuminairePhotometry>(&scene.luminaire_types[t].source);
+        if (file == nullptr || in_lumen(file->distribution.flux()) <= 0.0)
+            continue;
+        table_of_type[t] = tables_.size();
+        tables_.emplace_back(file->distribution);
+    }
+    for (const Luminaire& l : scene.luminaires) {
+        Source s;
+        s.type = &scene.type_of(l);
+        if (const auto table = table_of_type[l.placement.type.index()])
+            s.table = &tables_[*table];
+        s.flux = in_lumen(l.flux);
+        s.centre = l.placement.world_from_luminaire.origin;
+        s.radius_squared = 0.25 * l.opening.largest_dimension * l.opening.largest_dimension;
+        for (const Facet& f : l.opening.facets)
+            s.area += f.area;
+        s.is_rectangle =
+            l.opening.form == OpeningForm::flat && is_rectangular(l.opening.facets.front());
+        total_flux_ += s.flux;
+        cumulative_flux_.push_back(total_flux_);
+        sources_.push_back(s);
+    }
+    picks_by_distance_ = sources_.size() > 1 && sources_.size() <= few_luminaires;
+}
+
+EmissionPoint Emission::place_on_solid(std::size_t luminaire,
+                                       const UnitVector3& w,
+                                       double u,
+                                       double v) const noexcept {
+    const Opening& opening = scene_->luminaires[luminaire].opening;
+    double rest = u * projected_area(opening, w);
+    std::size_t chosen = 0;
+    double stretched = 0.0;
+    for (std::size_t f = 0; f < opening.facets.size(); ++f) {
+        const Facet& facet = opening.facets[f];
+        const double share = facet.area * std::max(0.0, dot(facet.normal, w));
+        if (share <= 0.0)
+            continue;
+        chosen = f;
+        stretched = std::min(rest / share, 1.0 - 1e-12);
+        if (rest < share)
+            break;
+        rest -= share;
+    }
+    return {luminaire, chosen, sample_polygon(opening.facets[chosen].vertices, stretched, v)};
+}
+
+EmissionSample Emission::sample_emission(double u_luminaire,
+                                         double u_place,
+                                         double v_place,
+                                         double u_direction,
+                                         double v_direction) const noexcept {
+    const std::size_t l = sample_cumulative(cumulative_flux_, u_luminaire).index;
+    const Source& source = sources_[l];
+    const Luminaire& luminaire = scene_->luminaires[l];
+    const Frame& frame = luminaire.placement.world_from_luminaire;
+
+    Vector3 local;
+    if (source.table != nullptr) {
+        local = source.table->sample(u_direction, v_direction);
+    } else if (std::holds_alternative<LambertianSource>(source.type->source)) {
+        const Vector3 up = sample_cosine_hemisphere(u_direction, v_direction);
+        local = {up.x, -up.y, -up.z};
+    } else {
+        local = sample_sphere(u_direction, v_direction);
+    }
+    const UnitVector3 w(frame.vector_from_local(local));
+
+    switch (luminaire.opening.form) {
+    case OpeningForm::point:
+        return {{l, 0, frame.origin}, w};
+    case OpeningForm::flat:
+        return {{l, 0, sample_polygon(luminaire.opening.facets[0].vertices, u_place, v_place)},
+                w};
+    case OpeningForm::solid:
+        return {place_on_solid(l, w, u_place, v_place), w};
+    }
+    return {};
+}
+
+double Emission::pick_weight(std::size_t luminaire, const Point3& place) const noexcept {
+    const Source& s = sources_[luminaire];
+    return s.flux / (length_squared(place - s.centre) + s.radius_squared + 1e-4);
+}
+
+std::size_t Emission::pick_luminaire(const Point3& place, double u) const noexcept {
+    if (!picks_by_distance_)
+        return sample_cumulative(cumulative_flux_, u).index;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        sum += pick_weight(i, place);
+    double rest = u * sum;
+    std::size_t chosen = 0;
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        const double weight = pick_weight(i, place);
+        if (weight <= 0.0)
+            continue;
+        chosen = i;
+        if (rest < weight)
+            break;
+        rest -= weight;
+    }
+    return chosen;
+}
+
+double Emission::pick_probability(std::size_t luminaire, const Point3& place) const noexcept {
+    if (!picks_by_distance_)
+        return sources_[luminaire].flux / total_flux_;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        sum += pick_weight(i, place);
+    return pick_weight(luminaire, place) / sum;
+}
+
+TowardsSample Emission::sample_opening(std::size_t luminaire,
+                                       const Point3& place,
+                                       double u,
+                                       double v) const noexcept {
+    const Opening& opening = scene_->luminaires[luminaire].opening;
+    EmissionPoint from{luminaire, 0, sources_[luminaire].centre};
+    if (opening.form == OpeningForm::flat) {
+        const Facet& facet = opening.facets[0];
+        const double omega =
+            sources_[luminaire].is_rectangle ? seen_from(facet, place).solid_angle() : 0.0;
+        if (omega > large_solid_angle && u >= 0.5)
+            from.position = seen_from(facet, place).sample(2.0 * u - 1.0, v);
+        else
+            from.position =
+                sample_polygon(facet.vertices, omega > large_solid_angle ? 2.0 * u : u, v);
+    } else if (opening.form == OpeningForm::solid) {
+        double sum = 0.0;
+        for (const Facet& f : opening.facets)
+            sum += facet_weight(f, place);
+        if (!(sum > 0.0))
+            return {from, 0.0};
+        double rest = u * sum;
+        double stretched = 0.0;
+        for (std::size_t f = 0; f < opening.facets.size(); ++f) {
+            const double weight = facet_weight(opening.facets[f], place);
+            if (weight <= 0.0)
+                continue;
+            from.facet = f;
+            stretched = std::min(rest / weight, 1.0 - 1e-12);
+            if (rest < weight)
+                break;
+            rest -= weight;
+        }
+        from.position = sample_polygon(opening.facets[from.facet].vertices, stretched, v);
+    }
+    return {from, pdf_opening(place, from)};
+}
+
+double Emission::pdf_opening(const Point3& place, const EmissionPoint& from) const noexcept {
+    const Source& s = sources_[from.luminaire];
+    const Opening& opening = scene_->luminaires[from.luminaire].opening;
+    if (opening.form == OpeningForm::point)
+        return 1.0;
+    const Facet& facet = opening.facets[from.facet];
+    if (opening.form == OpeningForm::solid) {
+        double sum = 0.0;
+        for (const Facet& f : opening.facets)
+            sum += facet_weight(f, place);
+        return sum > 0.0 ? facet_weight(facet, place) / (sum * facet.area) : 0.0;
+    }
+    const double omega = s.is_rectangle ? seen_from(facet, place).solid_angle() : 0.0;
+    if (!(omega > large_solid_angle))
+        return 1.0 / s.area;
+    const Vector3 d = from.position - place;
+    const double d2 = length_squared(d);
+    const double cosine = std::abs(dot(facet.normal, d)) / std::sqrt(d2);
+    return 0.5 * (1.0 / s.area + cosine / (omega * d2));
+}
+
+TowardsSample Emission::sample_towards(const Point3& place,
+                                       double u_luminaire,
+                                       double u,
+                                       double v) const noexcept {
+    const std::size_t l = pick_luminaire(place, u_luminaire);
+    TowardsSample sample = sample_opening(l, place, u, v);
+    sample.density *= pick_probability(l, place);
+    return sample;
+}
+
+double Emission::pdf_towards(const Point3& place, const EmissionPoint& from) const noexcept {
+    return pick_probability(from.luminaire, place) * pdf_opening(place, from);
+}
+
+double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const noexcept {
+    const Luminaire& l = scene_->luminaires[from.luminaire];
+    const Source& s = sources_[from.luminaire];
+    const UnitVector3 local =
+        UnitVector3::from_unit(l.placement.world_from_luminaire.vector_to_local(w));
+    const double intensity = l.placement.scale * in_candela(luminous_intensity(*s.type, local));
+    switch (l.opening.form) {
+    case OpeningForm::point:
+        return intensity;
+    case OpeningForm::flat:
+        return intensity / s.area;
+    case OpeningForm::solid: {
+        const double shown = std::max(0.0, dot(l.opening.facets[from.facet].normal, w));
+        return shown > 0.0 ? intensity * shown / projected_area(l.opening, w) : 0.0;
+    }
+    }
+    return 0.0;
+}
+
+Point3 Emission::departure(const EmissionPoint& from, const Vector3& w) const noexcept {
+    const Luminaire& l = scene_->luminaires[from.luminaire];
+    const RayCaster& caster = scene_->caster;
+    if (l.opening.form == OpeningForm::point)
+        return caster.offset_point(from.position, w);
+    const Vector3 normal = l.opening.facets[from.facet].normal;
+    if (dot(normal, w) >= 0.0)
+        return caster.offset_point(from.position, normal);
+    const double clearance =
+        sources_[from.luminaire].type->body == BodyModel::absorbing ? behind_panel : 0.0;
+    return caster.offset_point(from.position - clearance * normal, -normal);
+}
+
+Rgb Emission::colour(std::size_t luminaire) const noexcept {
+    return sources_[luminaire].type->colour;
+}
+
+} // namespace isolux

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "isolux/scene/scene.h"
+#include "isolux/transport/table_sampler.h"
+
+namespace isolux {
+
+/// A place on a luminaire from which light may leave.
+struct EmissionPoint {
+    std::size_t luminaire = 0;
+    std::size_t facet = 0; ///< of the opening; not used for a point source
+    Point3 position;
+};
+
+/// The start of a light path. Its flux is the flux of all luminaires together, whatever was
+/// drawn, because every draw is exact.
+struct EmissionSample {
+    EmissionPoint from;
+    UnitVector3 direction;
+};
+
+/// An emission point drawn to light a given place, and the density it was drawn with: per m2 of
+/// opening, the choice of the luminaire included; for a point source that choice alone.
+struct TowardsSample {
+    EmissionPoint from;
+    double density = 0.0;
+};
+
+/// All luminaires of a scene as sources of light: METHODS "Luminaires", "The Markov chain" 1-3.
+/// Refers to the scene, which must outlive it.
+class Emission {
+public:
+    explicit Emission(const Scene& scene);
+
+    /// lm, all factors applied; 0 when nothing shines
+    [[nodiscard]] double total_flux() const noexcept { return total_flux_; }
+
+    [[nodiscard]] std::size_t luminaires() const noexcept { return scene_->luminaires.size(); }
+
+    [[nodiscard]] const Luminaire& luminaire(std::size_t l) const noexcept {
+        return scene_->luminaires[l];
+    }
+
+    /// Luminaire by flux, direction by intensity, place uniform on the opening (on a solid
+    /// opening: by the area it shows in that direction). @pre total_flux() > 0, numbers in [0,
+    /// 1)
+    [[nodiscard]] EmissionSample sample_emission(double u_luminaire,
+                                                 double u_place,
+                                                 double v_place,
+                                                 double u_direction,
+                                                 double v_direction) const noexcept;
+
+    /// A point of one luminaire's opening for the light that falls on `place`: uniform on the
+    /// area; near flat rectangles half of the points evenly in solid angle; on a solid opening
+    /// only the facets that face `place`. The density is per m2 (1 for a point source), 0 if no
+    /// light can come.
+    [[nodiscard]] TowardsSample sample_opening(std::size_t luminaire,
+                                               const Point3& place,
+                                               double u,
+                                               double v) const noexcept;
+
+    /// Density of sample_opening for a given emission point, per m2 (1 for a point source).
+    [[nodiscard]] double pdf_opening(const Point3& place,
+                                     const EmissionPoint& from) const noexcept;
+
+    /// A point on some luminaire for the light that falls on `place`. Luminaires are picked by
+    /// flux over squared distance where they are few, by flux where they are many.
+    [[nodiscard]] TowardsSample
+    sample_towards(const Point3& place, double u_luminaire, double u, double v) const noexcept;
+
+    /// Density of sample_towards for a given emission point.
+    [[nodiscard]] double pdf_towards(const Point3& place,
+                                     const EmissionPoint& from) const noexcept;
+
+    /// Intensity towards `w` per area of opening, cd/m2 (for a point source: cd). Without a
+    /// cosine: the table holds it.
+    [[nodiscard]] double evaluate(const EmissionPoint& from,
+                                  const UnitVector3& w) const noexcept;
+
+    /// Where a ray that leaves `from` along `w` starts, clear of the opening's own body and of
+    /// anything the opening lies on. Shadow rays end there too.
+    [[nodiscard]] Point3 departure(const EmissionPoint& from, const Vector3& w) const noexcept;
+
+    [[nodiscard]] Rgb colour(std::size_t luminaire) const noexcept;
+
+private:
+    [[nodiscard]] double pick_weight(std::size_t luminaire, const Point3& place) const noexcept;
+    [[nodiscard]] std::size_t pick_luminaire(const Point3& place, double u) const noexcept;
+    [[nodiscard]] double pick_probability(std::size_t luminaire,
+                                          const Point3& place) const noexcept;
+    [[nodiscard]] EmissionPoint place_on_solid(std::size_t luminaire,
+                                               const UnitVector3& w,
+                                               double u,
+                                               double v) const noexcept;
+
+    struct Source {
+        const LuminaireType* type = nullptr;
+        const TableSampler* table = nullptr; ///< absent for sources without a file
+        double flux = 0.0;                   ///< lm
+        double area = 0.0;                   ///< m2 of all facets
+        Point3 centre;
+        double radius_squared = 0.0;
+        bool is_rectangle = false;
+    };
+
+    const Scene* scene_;
+    std::vector<TableSampler> tables_; ///< one for each luminaire type with a table
+    std::vector<Source> sources_;
+    std::vector<double> cumulative_flux_;
+    double total_flux_ = 0.0;
+    bool picks_by_distance_ = false;
+};
+
+} // namespace isolux

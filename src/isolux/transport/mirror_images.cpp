@@ -1,0 +1,138 @@
+#include "isolux/transport/mirror_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "isolux/transport/surface_event.h"
+
+namespace isolux {
+
+namespace {
+
+/// More chains than this are left to the gather rays.
+constexpr std::size_t most_chains = 96;
+constexpr std::size_t most_reflections = 4;
+
+bool is_mirror(const Material& m) noexcept {
+    if (const auto* opaque = std::get_if<Opaque>(&m.scattering))
+        return opaque->mirror > 0.0;
+    return true;
+}
+
+bool same_plane(const MirrorImages::Mirror& m,
+                const SceneTriangle& t,
+                double tolerance) noexcept {
+    return std::abs(dot(m.normal, t.normal)) > 1.0 - 1e-9
+           && std::abs(dot(m.normal, t.corner[0] - m.point)) < tolerance;
+}
+
+} // namespace
+
+MirrorImages::MirrorImages(const Scene& scene) {
+    const double size = distance(scene.bounds.lower, scene.bounds.upper);
+    const double tolerance = 1e-7 * (1.0 + size);
+    mirror_of_triangle_.reserve(scene.triangles.size());
+    constexpr std::size_t none = ~std::size_t{0};
+    for (const SceneTriangle& t : scene.triangles) {
+        if (!is_mirror(scene.material(t.material))) {
+            mirror_of_triangle_.push_back(none);
+            continue;
+        }
+        std::size_t m = 0;
+        // A scene with more planes than could ever be imaged need not tell them apart.
+        if (mirrors_.size() <= most_chains) {
+            while (m < mirrors_.size() && !same_plane(mirrors_[m], t, tolerance))
+                ++m;
+            if (m == mirrors_.size())
+                mirrors_.push_back({t.corner[0], t.normal});
+        }
+        mirror_of_triangle_.push_back(m);
+    }
+    for (std::size_t& m : mirror_of_triangle_)
+        m = std::min(m, mirrors_.size());
+
+    // Grow chains order by order while they stay few; a mirror never follows itself.
+    std::vector<std::vector<std::uint32_t>> last{{}};
+    while (order_ < most_reflections && !mirrors_.empty()) {
+        std::vector<std::vector<std::uint32_t>> next;
+        for (const auto& chain : last)
+            for (std::uint32_t m = 0; m < mirrors_.size(); ++m) {
+                if (!chain.empty() && chain.back() == m)
+                    continue;
+                next.push_back(chain);
+                next.back().push_back(m);
+            }
+        if (next.empty() || chains_.size() + next.size() > most_chains)
+            break;
+        chains_.insert(chains_.end(), next.begin(), next.end());
+        last = std::move(next);
+        ++order_;
+    }
+    if (mirrors_.size() == 1)
+        order_ = most_reflections; // no longer chain exists
+}
+
+Point3 image_of(const MirrorImages& images,
+                const std::vector<std::uint32_t>& chain,
+                const Point3& place) noexcept {
+    Point3 p = place;
+    for (const std::uint32_t m : chain) {
+        const MirrorImages::Mirror& mirror = images.mirrors()[m];
+        p = p - (2.0 * dot(mirror.normal, p - mirror.point)) * Vector3(mirror.normal);
+    }
+    return p;
+}
+
+ImageLight trace_image(const Scene& scene,
+                       const Emission& emission,
+                       const MirrorImages& images,
+                       const std::vector<std::uint32_t>& chain,
+                       const Point3& place,
+                       const TowardsSample& sample,
+                       std::uint64_t& rays) noexcept {
+    ImageLight light;
+    light.sample = sample;
+    const Vector3 whole = image_of(images, chain, place) - sample.from.position;
+    const double d2 = length_squared(whole);
+    if (!(d2 > 0.0))
+        return light;
+    UnitVector3 w(whole);
+    double strength = emission.evaluate(sample.from, w) / d2;
+    if (!(strength > 0.0))
+        return light;
+    Point3 origin = emission.departure(sample.from, w);
+    // From the luminaire the chain is met from its far end.
+    for (std::size_t i = chain.size(); i-- > 0;) {
+        for (;;) {
+            const auto hit = scene.caster.find_first_hit(origin, w);
+            ++rays;
+            if (!hit)
+                return light;
+            const Material& material = scene.material(scene.triangle(hit->triangle).material);
+            const SurfaceEvent event =
+                evaluate_surface(material, hit->is_front, std::max(0.0, -dot(hit->normal, w)));
+            if (images.mirror_of(hit->triangle) == chain[i]) {
+                if (event.mirror <= 0.0)
+                    return light;
+                strength *= event.mirror;
+                w = reflect(w, hit->normal);
+                origin = scene.caster.offset_point(hit->position, hit->normal);
+                break;
+            }
+            if (event.straight <= 0.0)
+                return light;
+            strength *= event.straight;
+            origin = scene.caster.offset_point(hit->position, w);
+        }
+    }
+    ++rays;
+    // The rest must point at the place, else the last mirror was met on the wrong side.
+    if (dot(w, place - origin) <= 0.0)
+        return light;
+    light.arrival = -w;
+    light.strength = strength * scene.caster.transmittance(origin, place);
+    return light;
+}
+
+} // namespace isolux
