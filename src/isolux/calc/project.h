@@ -21,8 +21,10 @@ enum class Statement {
 
 /// What the user may ask for. The tolerance is the one quality setting.
 struct Settings {
-    double tolerance = 0.01;         ///< half width of the interval / value
-    double absolute_tolerance = 0.1; ///< lx; what is darker than this / tolerance needs no more
+    double tolerance = 0.01; ///< half width of the interval / value
+    /// lx; a half width below this is good enough whatever the value. Beside it, a point darker
+    /// than a fiftieth of its surface's mean is held to the tolerance of that fiftieth.
+    double absolute_tolerance = 1e-4;
     double confidence = 0.95;
     std::optional<std::chrono::duration<double>> time_limit;
     std::uint64_t seed = 1;

@@ -51,6 +51,7 @@ struct Results {
     bool converged = false;   ///< every surface is within the tolerance
     bool interrupted = false; ///< stopped by the user or by the time limit
     std::uint64_t replicates = 0;
+    std::uint64_t units = 0;  ///< complete units of work; a closed tile took part in fewer
     std::uint64_t paths = 0;  ///< light paths walked in all
     std::string estimator;    ///< in words, as printed in the report
     double confidence = 0.95; ///< of the intervals, after error spending

@@ -1,0 +1,364 @@
+#include "isolux/calc/calculate.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "isolux/base/parallel.h"
+#include "isolux/calc/accumulator.h"
+#include "isolux/calc/engine.h"
+#include "isolux/calc/stopping.h"
+
+namespace isolux {
+
+namespace {
+
+/// Independent randomised replicates behind every error bar (METHODS eq. (15)).
+constexpr std::size_t replicates = 16;
+
+/// The pilot: other replicates and other units than the run itself, so that it only steers.
+constexpr std::size_t pilot_points = 64;
+constexpr std::size_t pilot_replicates = 8;
+constexpr std::uint32_t first_pilot_replicate = 1000;
+constexpr std::uint32_t pilot_unit = 1U << 20U;
+
+/// The first check comes no later than after this many units.
+constexpr std::size_t most_first_units = 256;
+
+/// A point darker than this share of its surface's mean is held to the tolerance of that share.
+constexpr double darkest_share = 0.02;
+
+double cpu_seconds() noexcept {
+    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+class Calculation {
+public:
+    Calculation(const Scene& scene,
+                std::span<const CalculationSurface> surfaces,
+                const Settings& settings,
+                const Control& control)
+        : surfaces_(surfaces), settings_(settings), control_(control), engine_(scene, settings),
+          sums_(surfaces, replicates) {
+        for (const CalculationSurface& s : surfaces)
+            receivers_.insert(receivers_.end(), s.receivers.begin(), s.receivers.end());
+    }
+
+    Results run() {
+        engine_.prepare(receivers_);
+        const std::size_t first = receivers_.empty() ? 1 : choose_first_units();
+        expected_ = first * sums_.tiles().size();
+        std::size_t done = 0;
+        for (std::size_t check = 0, target = first;; ++check, target *= 2) {
+            while (done < target && !interrupted_) {
+                if (!run_unit(static_cast<std::uint32_t>(done)))
+                    break;
+                ++done;
+            }
+            if (interrupted_)
+                break;
+            if (close_tiles(check))
+                break;
+            expected_ = work_done_ + active_tiles() * target;
+        }
+        return collect(done);
+    }
+
+private:
+    // ---- steps ---------------------------------------------------------------------------
+
+    /// Units after which half of the pilot's points should be within the tolerance.
+    std::size_t choose_first_units() {
+        report("pilot");
+        const std::size_t n = receivers_.size();
+        const std::size_t step = (n + pilot_points - 1) / pilot_points;
+        const std::size_t points = (n + step - 1) / step;
+        std::vector<double> values(points * pilot_replicates);
+        std::vector<RayCounts> rays(points);
+        for_each_index(points, 4, [&](std::size_t p) {
+            engine_.estimate_direct(
+                receivers_[p * step],
+                p * step,
+                pilot_unit,
+                std::span(values).subspan(p * pilot_replicates, pilot_replicates),
+                rays[p]);
+        });
+        if (!settings_.direct_only)
+            for (std::size_t r = 0; r < pilot_replicates; ++r) {
+                const auto replicate = static_cast<std::uint32_t>(first_pilot_replicate + r);
+                const VertexCache cache =
+                    engine_.needs_paths() ? engine_.build_cache(replicate, 0) : VertexCache{};
+                for_each_index(points, 4, [&](std::size_t p) {
+                    double e = 0.0;
+                    engine_.estimate_indirect(
+                        cache, receivers_, p * step, replicate, 0, {&e, 1}, rays[p]);
+                    values[p * pilot_replicates + r] += e;
+                });
+            }
+        return first_units(values, points);
+    }
+
+    [[nodiscard]] std::size_t first_units(const std::vector<double>& values,
+                                          std::size_t points) const {
+        std::vector<Estimate> estimates(points);
+        double mean = 0.0;
+        for (std::size_t p = 0; p < points; ++p) {
+            estimates[p] = estimate_from_replicates(
+                std::span(values).subspan(p * pilot_replicates, pilot_replicates));
+            mean += estimates[p].mean / static_cast<double>(points);
+        }
+        const double factor = rule(sums_.tiles().front().surface).factor(0, replicates);
+        std::vector<double> wanted(points);
+        for (std::size_t p = 0; p < points; ++p) {
+            const double value = std::max(estimates[p].mean, floor_of(mean));
+            const double sigma =
+                estimates[p].standard_error
+                * std::sqrt(static_cast<double>(pilot_replicates) / replicates);
+            const double ratio =
+                value > 0.0 ? factor * sigma / (settings_.tolerance * value) : 0.0;
+            wanted[p] = ratio * ratio;
+        }
+        std::nth_element(wanted.begin(), wanted.begin() + points / 2, wanted.end());
+        const double median = std::clamp(wanted[points / 2], 1.0, double{most_first_units});
+        return std::bit_ceil(static_cast<std::size_t>(std::ceil(median)));
+    }
+
+    /// One unit for every active tile. False if it was cut short; what is worth keeping is
+    /// kept.
+    bool run_unit(std::uint32_t unit) {
+        std::vector<std::size_t> active;
+        for (std::size_t t = 0; t < sums_.tiles().size(); ++t)
+            if (sums_.tiles()[t].is_active)
+                active.push_back(t);
+        std::vector<std::vector<double>> direct(active.size());
+        std::vector<std::vector<double>> indirect(active.size());
+        std::vector<RayCounts> rays(active.size());
+
+        for_each_index(active.size(), 1, [&](std::size_t a) {
+            estimate_direct_tile(sums_.tiles()[active[a]], unit, direct[a], rays[a]);
+            indirect[a].assign(direct[a].size(), 0.0);
+        });
+        std::vector<ReplicateFlux> flux(replicates);
+        std::size_t complete = 0;
+        for (; complete < replicates && !must_stop(); ++complete) {
+            if (settings_.direct_only)
+                continue;
+            const auto r = static_cast<std::uint32_t>(complete);
+            VertexCache cache;
+            if (engine_.needs_paths() || unit == 0) {
+                cache = engine_.build_cache(r, unit);
+                count_flux(cache, flux[complete]);
+            }
+            for_each_index(active.size(), 1, [&](std::size_t a) {
+                const Accumulator::Tile& tile = sums_.tiles()[active[a]];
+                engine_.estimate_indirect(
+                    cache,
+                    receivers_,
+                    tile.first,
+                    r,
+                    unit,
+                    std::span(indirect[a]).subspan(complete * tile.points, tile.points),
+                    rays[a]);
+            });
+            report("calculating",
+                   (static_cast<double>(complete) + 1.0) / static_cast<double>(replicates)
+                       * static_cast<double>(active.size()));
+        }
+        for (const RayCounts& c : rays) {
+            rays_.shadow += c.shadow;
+            rays_.gather += c.gather;
+        }
+        if (complete < replicates) {
+            interrupted_ = true;
+            // Later units are dropped whole; of the first one the complete replicates stand.
+            if (unit > 0)
+                return false;
+            sums_.keep_replicates(complete);
+        }
+        for (std::size_t a = 0; a < active.size(); ++a)
+            sums_.add_unit(sums_.tiles()[active[a]], direct[a], indirect[a]);
+        if (!settings_.direct_only && (engine_.needs_paths() || unit == 0))
+            keep_flux(flux);
+        work_done_ += active.size();
+        return complete == replicates;
+    }
+
+    void estimate_direct_tile(const Accumulator::Tile& tile,
+                              std::uint32_t unit,
+                              std::vector<double>& direct,
+                              RayCounts& rays) const {
+        direct.resize(replicates * tile.points);
+        std::vector<double> values(replicates);
+        for (std::size_t p = 0; p < tile.points; ++p) {
+            const std::size_t index = tile.first + p;
+            engine_.estimate_direct(receivers_[index], index, unit, values, rays);
+            for (std::size_t r = 0; r < replicates; ++r)
+                direct[r * tile.points + p] = values[r];
+        }
+    }
+
+    void count_flux(const VertexCache& cache, ReplicateFlux& flux) {
+        const double paths = static_cast<double>(std::max<std::size_t>(1, cache.paths));
+        flux = {cache.flux.absorbed / paths, cache.flux.escaped / paths};
+        rays_.path += cache.flux.rays;
+        paths_ += cache.paths;
+    }
+
+    void keep_flux(std::span<const ReplicateFlux> unit) {
+        flux_.resize(replicates);
+        for (std::size_t r = 0; r < unit.size(); ++r) {
+            flux_[r].absorbed += unit[r].absorbed;
+            flux_[r].escaped += unit[r].escaped;
+        }
+        ++flux_units_;
+    }
+
+    /// Closes the tiles whose points are all within the tolerance. True if none is left.
+    bool close_tiles(std::size_t check) {
+        const std::vector<double> means = surface_means();
+        worst_ = 0.0;
+        for (Accumulator::Tile& tile : sums_.tiles()) {
+            if (!tile.is_active)
+                continue;
+            const StoppingRule r = rule(tile.surface);
+            const double floor = floor_of(means[tile.surface]);
+            tile.is_active = false;
+            for (std::size_t p = 0; p < tile.points; ++p) {
+                const Estimate e = sums_.total(tile, p);
+                if (!r.is_met(e, check, floor))
+                    tile.is_active = true;
+                const double value = std::max(e.mean, floor);
+                if (value > 0.0)
+                    worst_ = std::max(
+                        worst_, r.factor(check, sums_.replicates()) * e.standard_error / value);
+            }
+        }
+        return active_tiles() == 0;
+    }
+
+    // ---- details -------------------------------------------------------------------------
+
+    [[nodiscard]] StoppingRule rule(std::size_t surface) const {
+        const bool all = settings_.statement == Statement::all_points;
+        return {settings_.tolerance,
+                settings_.confidence,
+                all ? surfaces_[surface].receivers.size() : 1};
+    }
+
+    /// Illuminance below which a point needs no better absolute accuracy, lx.
+    [[nodiscard]] double floor_of(double mean) const {
+        return std::max(darkest_share * mean,
+                        settings_.absolute_tolerance / settings_.tolerance);
+    }
+
+    [[nodiscard]] std::vector<double> surface_means() const {
+        std::vector<double> sums(surfaces_.size(), 0.0);
+        for (const Accumulator::Tile& tile : sums_.tiles())
+            for (std::size_t p = 0; p < tile.points; ++p)
+                sums[tile.surface] += sums_.total(tile, p).mean;
+        for (std::size_t s = 0; s < sums.size(); ++s)
+            sums[s] /=
+                static_cast<double>(std::max<std::size_t>(1, surfaces_[s].receivers.size()));
+        return sums;
+    }
+
+    [[nodiscard]] std::size_t active_tiles() const {
+        return static_cast<std::size_t>(std::count_if(
+            sums_.tiles().begin(), sums_.tiles().end(), [](const Accumulator::Tile& t) {
+                return t.is_active;
+            }));
+    }
+
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    [[nodiscard]] bool must_stop() const {
+        return control_.stop.stop_requested()
+               || (settings_.time_limit && seconds() > settings_.time_limit->count());
+    }
+
+    void report(const char* stage, double inside_unit = 0.0) const {
+        if (!control_.progress)
+            return;
+        Progress p;
+        p.stage = stage;
+        p.worst_relative_error = worst_;
+        const double done = static_cast<double>(work_done_) + inside_unit;
+        p.fraction = expected_ > 0 ? std::min(1.0, done / static_cast<double>(expected_)) : 0.0;
+        p.seconds_left = p.fraction > 0.0 ? seconds() * (1.0 - p.fraction) / p.fraction : -1.0;
+        control_.progress(p);
+    }
+
+    [[nodiscard]] FluxBalance flux_balance() const {
+        FluxBalance balance;
+        balance.emitted = {engine_.emission().total_flux(), 0.0, 1};
+        std::vector<double> absorbed;
+        std::vector<double> escaped;
+        for (std::size_t r = 0; r < std::min(flux_.size(), sums_.replicates()); ++r) {
+            absorbed.push_back(flux_[r].absorbed / static_cast<double>(flux_units_));
+            escaped.push_back(flux_[r].escaped / static_cast<double>(flux_units_));
+        }
+        balance.absorbed = estimate_from_replicates(absorbed);
+        balance.escaped = estimate_from_replicates(escaped);
+        return balance;
+    }
+
+    Results collect(std::size_t units) {
+        Results results;
+        results.converged = true;
+        std::size_t point = 0;
+        for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+            results.surfaces.push_back(sums_.surface_result(surfaces_[s], s));
+            SurfaceResult& surface = results.surfaces.back();
+            for (PointResult& p : surface.points)
+                p.near_surface = engine_.is_near_surface(point++);
+            surface.converged = std::none_of(
+                sums_.tiles().begin(), sums_.tiles().end(), [&](const Accumulator::Tile& t) {
+                    return t.surface == s && t.is_active;
+                });
+            results.converged = results.converged && surface.converged;
+        }
+        results.interrupted = interrupted_;
+        results.flux_balance = flux_balance();
+        results.rays = rays_;
+        results.wall_seconds = seconds();
+        results.cpu_seconds = cpu_seconds() - cpu_start_;
+        results.replicates = sums_.replicates();
+        results.units = units;
+        results.paths = paths_;
+        results.estimator = engine_.describe();
+        results.confidence = settings_.confidence;
+        return results;
+    }
+
+    std::span<const CalculationSurface> surfaces_;
+    const Settings& settings_;
+    const Control& control_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double cpu_start_ = cpu_seconds();
+    Engine engine_;
+    Accumulator sums_;
+    std::vector<Receiver> receivers_;
+    std::vector<ReplicateFlux> flux_;
+    std::size_t flux_units_ = 0;
+    RayCounts rays_;
+    std::uint64_t paths_ = 0;
+    std::size_t work_done_ = 0; ///< tile units
+    std::size_t expected_ = 0;
+    double worst_ = 0.0;
+    bool interrupted_ = false;
+};
+
+} // namespace
+
+Results calculate(const Scene& scene,
+                  std::span<const CalculationSurface> surfaces,
+                  const Settings& settings,
+                  const Control& control) {
+    return Calculation(scene, surfaces, settings, control).run();
+}
+
+} // namespace isolux

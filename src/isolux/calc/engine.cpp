@@ -1,0 +1,179 @@
+#include "isolux/calc/engine.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "isolux/base/parallel.h"
+#include "isolux/transport/gather.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/path_tracer.h"
+
+namespace isolux {
+
+namespace {
+
+/// Paths of the pilot that measures the mean chain length.
+constexpr std::size_t pilot_paths = 512;
+constexpr std::uint32_t pilot_replicate = 0xfffffffeU;
+
+/// METHODS "Edges": nearer to the second surface than this times sqrt(A / M) a point is traced.
+constexpr double edge_factor = 0.4;
+
+/// A receiver this near to a foreign surface is flagged, m.
+constexpr double too_near = 1e-3;
+
+/// Light paths a replicate's unit should walk for so many points: the cost of the paths is
+/// shared by the points, METHODS "Choosing M, K, N2".
+std::size_t paths_for(std::size_t points) {
+    const double wanted =
+        128.0 * std::sqrt(static_cast<double>(std::max<std::size_t>(points, 1)));
+    return std::clamp<std::size_t>(std::bit_ceil(static_cast<std::size_t>(wanted)), 256, 8192);
+}
+
+} // namespace
+
+Engine::Engine(const Scene& scene, const Settings& settings)
+    : scene_(&scene), settings_(settings), emission_(scene), images_(scene),
+      direct_(scene, emission_, images_) {}
+
+void Engine::prepare(std::span<const Receiver> receivers) {
+    effort_.paths = paths_for(receivers.size());
+
+    // Mean number of vertices of a path: a constant of the run, never a replicate's own count.
+    double vertices_per_path = 1.0;
+    if (emission_.total_flux() > 0.0) {
+        const VertexCache pilot =
+            build_vertex_cache(*scene_,
+                               emission_,
+                               PathRandomness(settings_.seed, pilot_replicate),
+                               0,
+                               pilot_paths,
+                               EffectiveCounts{});
+        vertices_per_path = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
+    }
+    const double paths = static_cast<double>(effort_.paths);
+    const double directions = static_cast<double>(effort_.directions);
+    counts_ = {paths, paths * vertices_per_path, directions, directions};
+
+    // Which points are traced instead: a matter of geometry only, so it biases nothing.
+    estimators_.assign(receivers.size(), PointEstimator::mis);
+    near_surface_.assign(receivers.size(), 0);
+    const double edge = edge_factor * std::sqrt(scene_->total_area / paths);
+    for_each_index(receivers.size(), 64, [&](std::size_t i) {
+        const SurfaceDistances d = scene_->caster.find_nearest_surfaces(
+            receivers[i].point, std::max(edge, 2.0 * too_near));
+        near_surface_[i] = d.second < too_near ? 1 : 0;
+        switch (settings_.estimator) {
+        case Estimator::local_estimation:
+            estimators_[i] = PointEstimator::local;
+            break;
+        case Estimator::path_tracing:
+            estimators_[i] = PointEstimator::path_tracing;
+            break;
+        case Estimator::local_estimation_mis:
+            break;
+        case Estimator::automatic:
+            if (d.second < edge)
+                estimators_[i] = PointEstimator::path_tracing;
+            break;
+        }
+    });
+    needs_paths_ = !settings_.direct_only
+                   && std::any_of(estimators_.begin(), estimators_.end(), [](PointEstimator e) {
+                          return e != PointEstimator::path_tracing;
+                      });
+}
+
+VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) const {
+    return build_vertex_cache(*scene_,
+                              emission_,
+                              PathRandomness(settings_.seed, replicate),
+                              static_cast<std::uint64_t>(unit) * effort_.paths,
+                              effort_.paths,
+                              counts_);
+}
+
+void Engine::estimate_indirect(const VertexCache& cache,
+                               std::span<const Receiver> receivers,
+                               std::size_t first,
+                               std::uint32_t replicate,
+                               std::uint32_t unit,
+                               std::span<double> result,
+                               RayCounts& rays) const {
+    thread_local std::vector<float> scratch;
+    const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::size_t index = first + i;
+        const Receiver& receiver = receivers[index];
+        const PointRandomness random(settings_.seed, StreamPurpose::gather, replicate, index);
+        Rgb e;
+        if (estimators_[index] == PointEstimator::path_tracing) {
+            e = trace_indirect(*scene_,
+                               emission_,
+                               images_,
+                               receiver,
+                               effort_.samples,
+                               static_cast<std::uint32_t>(unit * effort_.samples),
+                               random,
+                               rays.gather);
+        } else {
+            const bool alone = estimators_[index] == PointEstimator::local;
+            e = gather_local_estimate(*scene_,
+                                      cache,
+                                      receiver,
+                                      alone ? Weighting::alone : Weighting::balanced,
+                                      effort_.draws,
+                                      subset.uniform(index, unit),
+                                      scratch);
+            rays.shadow += effort_.draws;
+            if (!alone || images_.scene_has_mirrors())
+                e += gather_indirect(*scene_,
+                                     emission_,
+                                     images_,
+                                     cache,
+                                     counts_,
+                                     receiver,
+                                     alone ? GatherPart::mirrors_only : GatherPart::balanced,
+                                     effort_.directions,
+                                     static_cast<std::uint32_t>(unit * effort_.directions),
+                                     random,
+                                     rays.gather);
+        }
+        const double lux = luminance_sum(e);
+        result[i] = std::isfinite(lux) ? lux : 0.0;
+    }
+}
+
+void Engine::estimate_direct(const Receiver& receiver,
+                             std::size_t index,
+                             std::uint32_t unit,
+                             std::span<double> result,
+                             RayCounts& rays) const {
+    thread_local std::vector<Rgb> values;
+    values.resize(result.size());
+    direct_.estimate(receiver, index, settings_.seed, unit, values, rays.shadow);
+    for (std::size_t r = 0; r < result.size(); ++r) {
+        const double lux = luminance_sum(values[r]);
+        result[r] = std::isfinite(lux) ? lux : 0.0;
+    }
+}
+
+std::string Engine::describe() const {
+    const auto count = [&](PointEstimator e) {
+        return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
+    };
+    std::string text = "light paths per replicate and unit: " + std::to_string(effort_.paths);
+    switch (settings_.estimator) {
+    case Estimator::local_estimation:
+        return "local estimation; " + text;
+    case Estimator::path_tracing:
+        return "path tracing from the points";
+    default:
+        return "local estimation with one gather bounce (" + count(PointEstimator::mis)
+               + " points), path tracing next to edges (" + count(PointEstimator::path_tracing)
+               + " points); " + text;
+    }
+}
+
+} // namespace isolux

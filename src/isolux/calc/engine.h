@@ -1,0 +1,92 @@
+#pragma once
+
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "isolux/calc/project.h"
+#include "isolux/calc/results.h"
+#include "isolux/transport/direct_light.h"
+#include "isolux/transport/light_path.h"
+#include "isolux/transport/mirror_images.h"
+
+namespace isolux {
+
+/// How much one unit of work holds. A unit of one replicate is `paths` light paths and, at
+/// every point, `draws` shadow rays, `directions` gather rays or `samples` traced paths.
+struct Effort {
+    std::size_t paths = 1024; ///< a power of two
+    std::size_t draws = 16;
+    std::size_t directions = 4;
+    std::size_t samples = 32; ///< path tracing
+};
+
+/// Which estimator of the indirect part a point takes.
+enum class PointEstimator : std::uint8_t { local, mis, path_tracing };
+
+/// What one replicate of one unit adds to the flux balance, lm.
+struct ReplicateFlux {
+    double absorbed = 0.0;
+    double escaped = 0.0;
+};
+
+/// Runs units of work on a scene: the same numbers for the same (seed, unit, replicate, point),
+/// whoever calls and in whatever order. Knows nothing of tolerances.
+class Engine {
+public:
+    Engine(const Scene& scene, const Settings& settings);
+
+    [[nodiscard]] const Emission& emission() const noexcept { return emission_; }
+
+    /// Fixes effort and the constants of METHODS eq. (11) from a pilot of a few paths.
+    void prepare(std::span<const Receiver> receivers);
+
+    [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
+
+    /// Per receiver, as given to prepare().
+    [[nodiscard]] PointEstimator estimator_of(std::size_t receiver) const noexcept {
+        return estimators_[receiver];
+    }
+
+    [[nodiscard]] bool is_near_surface(std::size_t receiver) const noexcept {
+        return near_surface_[receiver] != 0;
+    }
+
+    /// Light paths of one replicate and unit, ready for the points.
+    [[nodiscard]] VertexCache build_cache(std::uint32_t replicate, std::uint32_t unit) const;
+
+    /// Indirect illuminance of receivers [first, first + result.size()), lx.
+    void estimate_indirect(const VertexCache& cache,
+                           std::span<const Receiver> receivers,
+                           std::size_t first,
+                           std::uint32_t replicate,
+                           std::uint32_t unit,
+                           std::span<double> result,
+                           RayCounts& rays) const;
+
+    /// Direct illuminance of one receiver for all replicates, lx.
+    void estimate_direct(const Receiver& receiver,
+                         std::size_t index,
+                         std::uint32_t unit,
+                         std::span<double> result,
+                         RayCounts& rays) const;
+
+    /// Whether any receiver needs light paths.
+    [[nodiscard]] bool needs_paths() const noexcept { return needs_paths_; }
+
+    [[nodiscard]] std::string describe() const;
+
+private:
+    const Scene* scene_;
+    Settings settings_;
+    Emission emission_;
+    MirrorImages images_;
+    DirectLight direct_;
+    Effort effort_;
+    EffectiveCounts counts_;
+    std::vector<PointEstimator> estimators_;
+    std::vector<std::uint8_t> near_surface_;
+    bool needs_paths_ = true;
+};
+
+} // namespace isolux
