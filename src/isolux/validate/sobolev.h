@@ -1,0 +1,41 @@
+#pragma once
+
+#include "isolux/base/units.h"
+
+/// Sobolev's problem: an isotropic point source between two infinite parallel planes that
+/// reflect by Lambert's law. The hardest room with a closed answer: light without walls, every
+/// order of reflection, a value at every distance.
+namespace isolux {
+
+struct SobolevProblem {
+    double reflectance_1 = 0.0; ///< of plane 1, 0..1; the product of both must be below 1
+    double reflectance_2 = 0.0; ///< of plane 2
+    Metre separation{1.0};      ///< of the planes, H > 0
+    Metre source_height{0.5};   ///< of the source above plane 1, 0 < h1 < H
+    Lumen flux{1.0};            ///< of the source; 4 pi lm is one candela
+};
+
+enum class SobolevPlane {
+    one, ///< `source_height` from the source
+    two  ///< separation - source_height from it
+};
+
+/// Illuminance that comes straight from the source, at `r` from the foot of the source.
+/// @pre the ranges given with SobolevProblem, r >= 0
+[[nodiscard]] Lux
+sobolev_direct(const SobolevProblem& problem, SobolevPlane plane, Metre r) noexcept;
+
+/// Illuminance by reflected light, the integral of METHODS eq. (30) for any separation and
+/// flux. Absolute error below 1e-12 flux/H2, so 1e-8 of the value or better for r <= 30 H; work
+/// grows in proportion to r/H.
+[[nodiscard]] Lux sobolev_indirect(const SobolevProblem& problem, SobolevPlane plane, Metre r);
+
+/// The whole illuminance, METHODS eq. (30).
+[[nodiscard]] Lux
+sobolev_illuminance(const SobolevProblem& problem, SobolevPlane plane, Metre r);
+
+/// Flux that arrives on the whole of a plane, all reflections counted:
+/// (flux/2) (1 + rho_other)/(1 - rho1 rho2).
+[[nodiscard]] Lumen sobolev_flux(const SobolevProblem& problem, SobolevPlane plane) noexcept;
+
+} // namespace isolux
