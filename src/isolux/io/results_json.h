@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "isolux/calc/project.h"
+#include "isolux/calc/results.h"
+
+namespace isolux {
+
+/// A file that the calculation read, and its SHA-256: 64 lower-case hexadecimal digits.
+struct InputFile {
+    std::string file; ///< as the project names it
+    std::string sha256;
+};
+
+/// results.json: what was found, and everything needed to find it again.
+struct ResultsDocument {
+    std::string version; ///< of isolux; `isolux_version()` for a new document
+    std::string project_name;
+    InputFile project;
+    std::vector<InputFile> inputs; ///< all other files, in the order of reading
+    std::uint64_t seed = 1;
+    double tolerance = 0.01;
+    double confidence = 0.95; ///< as asked for; results.confidence is that of each interval
+    Results results;
+};
+
+/// Version of this library, "0.1.0".
+[[nodiscard]] std::string_view isolux_version() noexcept;
+
+/// A document for these results of a project calculated with `settings`.
+[[nodiscard]] ResultsDocument make_results_document(std::string project_name,
+                                                    InputFile project,
+                                                    std::vector<InputFile> inputs,
+                                                    const Settings& settings,
+                                                    Results results);
+
+/// The document as JSON text, schema/results.schema.json. One point a line; numbers are the
+/// shortest that read back exactly, so equal results are equal texts. Everything that differs
+/// from run to run is in the last member, "time".
+[[nodiscard]] std::string to_results_json(const ResultsDocument& document);
+
+/// The document as written by to_results_json, without the replicate tables.
+/// @throws InputError  `source:line:column: ...` for what is no JSON, `source#/pointer: ...`
+/// for what are no results
+[[nodiscard]] ResultsDocument parse_results_json(std::string_view text,
+                                                 std::string_view source);
+
+/// Writes `folder`/results.json and one CSV a surface, named by file_stems() of the surfaces'
+/// names. Makes the folder where it is missing. @throws WriteError
+void write_results(const std::filesystem::path& folder, const ResultsDocument& document);
+
+} // namespace isolux

@@ -1,0 +1,233 @@
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "isolux/io/results_json.h"
+#include "isolux/io/safe_file.h"
+#include "isolux/io/schema.h"
+
+#include "support/sample_results.h"
+#include "support/temporary_folder.h"
+
+namespace isolux {
+namespace {
+
+using nlohmann::json;
+using testing::UnorderedElementsAre;
+
+ResultsDocument make_document() {
+    Settings settings;
+    settings.seed = 9223372036854775807ULL;
+    settings.tolerance = 0.02;
+    return make_results_document("Büro \"4\"",
+                                 {"office.json", std::string(64, 'a')},
+                                 {{"a.ies", std::string(64, 'b')}},
+                                 settings,
+                                 test::make_results());
+}
+
+/// Complaints of valijson about a document, one a line.
+std::string violations(const json& document) {
+    const json text = json::parse(results_schema());
+    valijson::Schema schema;
+    valijson::SchemaParser parser(valijson::SchemaParser::kDraft7);
+    const valijson::adapters::NlohmannJsonAdapter schema_adapter(text);
+    parser.populateSchema(schema_adapter, schema);
+    valijson::Validator validator;
+    valijson::ValidationResults found;
+    const valijson::adapters::NlohmannJsonAdapter target(document);
+    std::string all;
+    if (!validator.validate(schema, target, &found))
+        for (const auto& error : found) {
+            for (const std::string& step : error.context)
+                all += step;
+            all.append(": ").append(error.description).append("\n");
+        }
+    return all;
+}
+
+TEST(ResultsJson, IsValidAgainstThePublishedSchema) {
+    EXPECT_EQ(violations(json::parse(to_results_json(make_document()))), "");
+    Results nothing;
+    nothing.surfaces.push_back({});
+    EXPECT_EQ(violations(json::parse(to_results_json(
+                  make_results_document("", {"p", std::string(64, '0')}, {}, {}, nothing)))),
+              "");
+}
+
+TEST(ResultsJson, SchemaNoticesWhatDoesNotBelong) {
+    const json good = json::parse(to_results_json(make_document()));
+    const auto is_refused = [&](const char* pointer, const json& value) {
+        json bad = good;
+        bad[json::json_pointer(pointer)] = value;
+        return !violations(bad).empty();
+    };
+    EXPECT_TRUE(is_refused("/surprise", 1));
+    EXPECT_TRUE(is_refused("/surfaces/0/unit", "fc"));
+    EXPECT_TRUE(is_refused("/surfaces/0/points/0/value", nullptr));
+    EXPECT_TRUE(is_refused("/surfaces/0/points/0/flags/0", "odd"));
+    EXPECT_TRUE(is_refused("/surfaces/0/quantity", "luminance"));
+    EXPECT_TRUE(is_refused("/project/sha256", "abc"));
+    EXPECT_TRUE(is_refused("/confidence", 95));
+}
+
+TEST(ResultsJson, HasTheMembersThatScriptsRelyOn) {
+    const json d = json::parse(to_results_json(make_document()));
+    const Results r = test::make_results();
+    EXPECT_EQ(d["version"], std::string(isolux_version()));
+    EXPECT_EQ(d["project"]["name"], "Büro \"4\"");
+    EXPECT_EQ(d["inputs"][0]["file"], "a.ies");
+    EXPECT_EQ(d["seed"].get<std::uint64_t>(), 9223372036854775807ULL);
+    EXPECT_EQ(d["tolerance"], 0.02);
+    EXPECT_EQ(d["confidence"], 0.95);
+    EXPECT_EQ(d["rays"], 300000021000);
+    EXPECT_EQ(d["time"], (json{{"wall_s", 1.25}, {"cpu_s", 9.5}}));
+    EXPECT_EQ(d["converged"], false);
+    EXPECT_EQ(d["notices"][0]["what"], "outside every room");
+    const json& s = d["surfaces"][0];
+    EXPECT_EQ(s["name"], "office/work \"plane\", 1");
+    EXPECT_EQ(s["quantity"], "illuminance");
+    EXPECT_EQ(s["unit"], "lx");
+    EXPECT_EQ(s["grid"]["columns"], 3);
+    EXPECT_EQ(s["grid"]["rows"], 2);
+    EXPECT_FALSE(d["surfaces"][1].contains("grid"));
+    const json& p = s["points"][1];
+    EXPECT_EQ(p["position"], (json{1.5, 0.5, 0.75}));
+    EXPECT_EQ(p["normal"], (json{0.0, 0.0, 1.0}));
+    EXPECT_EQ(p["value"], r.surfaces[0].points[1].total.mean);
+    EXPECT_EQ(p["direct"], r.surfaces[0].points[1].direct.mean);
+    EXPECT_EQ(p["flags"], (json{"heavy_tail", "near_surface"}));
+    const Interval interval = confidence_interval(r.surfaces[0].points[1].total, 0.97);
+    EXPECT_EQ(p["lower"], interval.lower);
+    EXPECT_EQ(p["upper"], interval.upper);
+    for (const char* name : {"mean", "minimum", "maximum", "U0", "Ud"})
+        for (const char* member : {"value", "standard_error", "lower", "upper"})
+            EXPECT_TRUE(s["summary"][name][member].is_number()) << name << ' ' << member;
+    EXPECT_EQ(d["flux_balance"]["escaped"]["value"], 8.5);
+}
+
+TEST(ResultsJson, ReadsBackToTheLastBit) {
+    const std::string text = to_results_json(make_document());
+    const ResultsDocument d = parse_results_json(text, "results.json");
+    EXPECT_EQ(to_results_json(d), text);
+    const CalculationSurface before = make_document().results.surfaces[0].surface;
+    const CalculationSurface after = d.results.surfaces[0].surface;
+    EXPECT_EQ(after.outline, before.outline);
+    EXPECT_EQ(after.grid->cell_of_point, before.grid->cell_of_point);
+    EXPECT_EQ(after.grid->frame.z, before.grid->frame.z);
+    EXPECT_EQ(d.results.surfaces[1].surface.receivers[0].kind,
+              IlluminanceKind::semi_cylindrical);
+    EXPECT_EQ(d.results.surfaces[1].surface.receivers[0].reference,
+              UnitVector3::from_unit({-1, 0, 0}));
+    EXPECT_EQ(d.results.notices, make_document().results.notices);
+}
+
+TEST(ResultsJson, DiffersByTimeAloneBetweenEqualRuns) {
+    ResultsDocument a = make_document();
+    ResultsDocument b = make_document();
+    b.results.wall_seconds = 2.0;
+    b.results.cpu_seconds = 3.0;
+    const std::string text_a = to_results_json(a);
+    const std::string text_b = to_results_json(b);
+    EXPECT_NE(text_a, text_b);
+    EXPECT_EQ(text_a.substr(0, text_a.find("\"time\"")),
+              text_b.substr(0, text_b.find("\"time\"")));
+    EXPECT_TRUE(text_a.ends_with("\"time\": {\"wall_s\":1.25,\"cpu_s\":9.5}\n}\n"));
+}
+
+TEST(ResultsJson, PutsEveryPointOnALineOfItsOwn) {
+    const std::string text = to_results_json(make_document());
+    std::size_t lines = 0;
+    for (std::size_t at = text.find("\n    {\"position\":"); at != std::string::npos;
+         at = text.find("\n    {\"position\":", at + 1))
+        ++lines;
+    const Results r = test::make_results();
+    EXPECT_EQ(lines, r.surfaces[0].points.size() + r.surfaces[1].points.size());
+}
+
+TEST(ResultsJson, SurvivesNamesThatAreNotUtf8) {
+    ResultsDocument d = make_document();
+    d.results.surfaces[0].surface.name = "B\xFCro";
+    const json parsed = json::parse(to_results_json(d));
+    EXPECT_EQ(parsed["surfaces"][0]["name"], "B\xEF\xBF\xBDro");
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        static_cast<void>(parse_results_json(text, "r.json"));
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// The good document with one value replaced, or taken out.
+std::string with(const char* pointer, const json& value) {
+    json d = json::parse(to_results_json(make_document()));
+    d[json::json_pointer(pointer)] = value;
+    return message_of(d.dump());
+}
+
+TEST(ResultsReader, NamesThePlaceOfBrokenJson) {
+    EXPECT_EQ(message_of("{\"a\": 1,\n  \"b\" 2}"),
+              "r.json:2:7: this is not JSON. Truncated file?");
+    EXPECT_THAT(message_of(""), testing::HasSubstr("r.json:1:1: this is not JSON"));
+}
+
+TEST(ResultsReader, NamesThePlaceOfWhatDoesNotFit) {
+    const std::string hint = ". Is this the results.json of an isolux calculation?";
+    EXPECT_EQ(message_of("[]"), "r.json#: not an object" + hint);
+    EXPECT_EQ(message_of("{}"), "r.json#: 'isolux_results' is missing" + hint);
+    EXPECT_EQ(with("/isolux_results", 2),
+              "r.json#/isolux_results: this format is not version 1" + hint);
+    EXPECT_EQ(with("/surfaces/0/points/1/value", "12"),
+              "r.json#/surfaces/0/points/1/value: not a number" + hint);
+    EXPECT_EQ(with("/surfaces/0/points/1/normal", json{1, 2}),
+              "r.json#/surfaces/0/points/1/normal: not three numbers" + hint);
+    EXPECT_EQ(with("/surfaces", 1), "r.json#/surfaces: not a list" + hint);
+    EXPECT_EQ(with("/seed", -1), "r.json#/seed: not a whole number" + hint);
+    EXPECT_EQ(with("/converged", 1), "r.json#/converged: neither true nor false" + hint);
+    EXPECT_EQ(with("/estimator", 1), "r.json#/estimator: not a text" + hint);
+    EXPECT_EQ(with("/surfaces/1/quantity", "glare"),
+              "r.json#/surfaces/1/quantity: unknown quantity 'glare'" + hint);
+    EXPECT_EQ(with("/surfaces/0/grid/cells/0", 6),
+              "r.json#/surfaces/0/grid/cells/0: beyond the last cell" + hint);
+    EXPECT_EQ(with("/surfaces/0/grid/cells", json::array()),
+              "r.json#/surfaces/0/grid/cells: as many cells as points are needed" + hint);
+}
+
+TEST(WriteResults, MakesOneFolderWithJsonAndOneCsvASurface) {
+    const test::TemporaryFolder folder;
+    const auto out = folder.path() / "new" / "out";
+    write_results(out, make_document());
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        names.push_back(entry.path().filename().string());
+    EXPECT_THAT(
+        names,
+        UnorderedElementsAre("results.json", "office_work _plane_, 1.csv", "faces 机房.csv"));
+    EXPECT_EQ(test::read_bytes(out / "results.json"), to_results_json(make_document()));
+}
+
+TEST(WriteResults, SaysWhyTheFolderCannotBeMade) {
+    const test::TemporaryFolder folder;
+    write_file_safely(folder.path() / "out", "a file");
+    try {
+        write_results(folder.path() / "out", make_document());
+        FAIL() << "no error";
+    } catch (const WriteError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  (folder.path() / "out").string()
+                      + ": cannot be written (Not a directory). Does the folder exist?");
+    }
+}
+
+} // namespace
+} // namespace isolux
