@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "isolux/base/error.h"
+#include "isolux/base/frame.h"
 #include "isolux/base/vec.h"
 
 namespace isolux {
@@ -45,9 +46,13 @@ public:
     SurfaceMesh(SurfaceMesh&&) noexcept;
     SurfaceMesh& operator=(SurfaceMesh&&) noexcept;
 
-    /// Every face, split into triangles.
+    /// Every face, split into triangles. Faces without area are left out: no light meets them.
     [[nodiscard]] std::vector<MeshTriangle> triangles() const;
     [[nodiscard]] const std::vector<std::string>& slots() const noexcept;
+    /// A copy, stretched by `scale` along its own axes (all nonzero; a negative product mirrors
+    /// the surface and keeps its front outside), then placed.
+    [[nodiscard]] SurfaceMesh transformed(const Vector3& scale,
+                                          const Frame& world_from_object) const;
     /// Degenerate faces, open borders, non-manifold edges, a closed surface turned inside out.
     [[nodiscard]] std::vector<MeshFinding> inspect() const;
 
