@@ -1,0 +1,155 @@
+#include "isolux/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "isolux/scene/triangulate.h"
+
+namespace isolux {
+namespace {
+
+/// How far a black body lies behind its opening: 0.1 mm, or more where the scene is so large
+/// that rays could not tell the two apart.
+double gap_behind_openings(const Bounds& bounds) noexcept {
+    const Vector3 half = 0.5 * (bounds.upper - bounds.lower);
+    const double reach = std::max({half.x, half.y, half.z, 0.0});
+    return std::max(1e-4, 4.0 * (reach * 0x1p-20 + 1e-5));
+}
+
+class SceneBuilder {
+public:
+    void add_object(const Object& object, bool is_shell);
+    void add_body(const Luminaire& luminaire, MaterialId black, double gap);
+    [[nodiscard]] Bounds bounds() const noexcept;
+
+    std::vector<Surface> surfaces;
+    std::vector<SceneTriangle> triangles;
+
+private:
+    void begin(std::string name, bool is_shell) {
+        surfaces.push_back({std::move(name), triangles.size(), 0, 0.0, is_shell});
+    }
+
+    void add(const std::array<Point3, 3>& corner, MaterialId material);
+};
+
+void SceneBuilder::add(const std::array<Point3, 3>& corner, MaterialId material) {
+    const Vector3 n = twice_vector_area(corner);
+    Surface& surface = surfaces.back();
+    const double area = 0.5 * length(n);
+    triangles.push_back(
+        {corner, UnitVector3(n), area, material, SurfaceId(surfaces.size() - 1)});
+    surface.area += area;
+    ++surface.triangles;
+}
+
+/// One surface for each slot of the object's mesh.
+void SceneBuilder::add_object(const Object& object, bool is_shell) {
+    const auto all = object.mesh.triangles();
+    const auto& slots = object.mesh.slots();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+        const auto is_here = [slot](const MeshTriangle& t) { return t.slot == slot; };
+        if (std::ranges::none_of(all, is_here))
+            continue;
+        begin(slots[slot].empty() ? object.name : object.name + "/" + slots[slot], is_shell);
+        for (const MeshTriangle& t : all)
+            if (is_here(t))
+                add(t.corner, object.material_of_slot[slot]);
+    }
+}
+
+/// Black facets just behind the opening's own: behind a flat one, inside a solid one.
+void SceneBuilder::add_body(const Luminaire& luminaire, MaterialId black, double gap) {
+    if (luminaire.opening.facets.empty())
+        return;
+    begin(luminaire.placement.name + "/body", false);
+    for (const Facet& facet : luminaire.opening.facets) {
+        const Vector3 back = -gap * Vector3(facet.normal);
+        for (std::size_t i = 1; i + 1 < facet.vertices.size(); ++i)
+            add({facet.vertices[0] + back,
+                 facet.vertices[i] + back,
+                 facet.vertices[i + 1] + back},
+                black);
+    }
+}
+
+Bounds SceneBuilder::bounds() const noexcept {
+    if (triangles.empty())
+        return {};
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    Bounds b{{inf, inf, inf}, {-inf, -inf, -inf}};
+    for (const auto& t : triangles)
+        for (const Point3& p : t.corner) {
+            b.lower = {
+                std::min(b.lower.x, p.x), std::min(b.lower.y, p.y), std::min(b.lower.z, p.z)};
+            b.upper = {
+                std::max(b.upper.x, p.x), std::max(b.upper.y, p.y), std::max(b.upper.z, p.z)};
+        }
+    return b;
+}
+
+RayCaster make_caster(const SceneBuilder& built, const std::vector<Material>& materials) {
+    std::vector<CasterTriangle> triangles;
+    triangles.reserve(built.triangles.size());
+    for (const SceneTriangle& t : built.triangles) {
+        CasterTriangle c{.corner = t.corner,
+                         .is_shell = built.surfaces[t.surface.index()].is_shell};
+        if (const auto* pane =
+                std::get_if<ClearPane>(&materials[t.material.index()].scattering)) {
+            c.is_pane = true;
+            c.refractive_index = pane->refractive_index;
+            c.internal_transmittance = pane->internal_transmittance;
+        }
+        triangles.push_back(c);
+    }
+    return RayCaster(triangles);
+}
+
+std::vector<Luminaire> hang_luminaires(const SceneDescription& description) {
+    std::vector<Luminaire> luminaires;
+    for (const LuminairePlacement& placement : description.luminaires) {
+        const auto& type = description.luminaire_types[placement.type.index()];
+        luminaires.push_back(
+            {placement,
+             to_world(make_opening(type.opening), placement.world_from_luminaire),
+             placement.scale * luminous_flux(type)});
+    }
+    return luminaires;
+}
+
+} // namespace
+
+Scene build_scene(SceneDescription description) {
+    SceneBuilder built;
+    for (const Room& room : description.rooms)
+        built.add_object(make_room_shell(room, description.rooms), true);
+    for (const Object& object : description.objects)
+        built.add_object(object, false);
+
+    description.materials.push_back({"black", Opaque{}, Sides::both});
+    const MaterialId black(description.materials.size() - 1);
+    auto luminaires = hang_luminaires(description);
+    const double gap = gap_behind_openings(built.bounds());
+    for (const Luminaire& luminaire : luminaires)
+        if (description.luminaire_types[luminaire.placement.type.index()].body
+            == BodyModel::absorbing)
+            built.add_body(luminaire, black, gap);
+
+    double total_area = 0.0;
+    for (const SceneTriangle& t : built.triangles)
+        total_area += t.area;
+    RayCaster caster = make_caster(built, description.materials);
+    const Bounds bounds = built.bounds();
+    return {std::move(description.materials),
+            std::move(built.surfaces),
+            std::move(built.triangles),
+            std::move(description.luminaire_types),
+            std::move(luminaires),
+            bounds,
+            total_area,
+            std::move(caster)};
+}
+
+} // namespace isolux
