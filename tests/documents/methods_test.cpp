@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "isolux/scene/material.h"
 
 /// The code names equations and sections of METHODS.md; here every name is looked up.
 namespace isolux::test {
@@ -92,6 +95,24 @@ TEST(Methods, ReadsNamesOutOfSentences) {
               (std::vector<std::string>{"Slab", "eq. (5)", "eq. (10)", "3.5"}));
     EXPECT_EQ(names_in("## 2 Light\n**Slab.** Thin\n    E = mc2   (7)\n"),
               (std::set<std::string>{"2", "Light", "Slab", "eq. (7)"}));
+}
+
+TEST(Methods, ListsTheEverydayMaterialsWithTheirValues) {
+    const std::string methods =
+        read_text(std::filesystem::path(ISOLUX_SOURCE_DIR) / "METHODS.md");
+    for (const Material& material : everyday_materials()) {
+        std::string entry;
+        if (const auto* opaque = std::get_if<Opaque>(&material.scattering))
+            entry = opaque->mirror > 0.0
+                        ? fmt::format("{} {} (mirror)", material.name, opaque->mirror)
+                        : fmt::format("{} {}", material.name, opaque->diffuse.g);
+        else
+            entry =
+                fmt::format("{} (pane, tau {})",
+                            material.name,
+                            std::get<ClearPane>(material.scattering).internal_transmittance);
+        EXPECT_NE(methods.find(entry), std::string::npos) << entry;
+    }
 }
 
 TEST(Methods, NumbersNoEquationTwice) {
