@@ -64,6 +64,7 @@ inline Results make_results() {
     r.cpu_seconds = 9.5;
     r.interrupted = true;
     r.replicates = 16;
+    r.units = 4;
     r.paths = 65536;
     r.estimator = "local estimation";
     r.confidence = 0.97;

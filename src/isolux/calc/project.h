@@ -33,10 +33,20 @@ struct Settings {
     bool direct_only = false;
 };
 
+/// A file that a calculation read, and its SHA-256: 64 lower-case hexadecimal digits.
+struct InputFile {
+    std::string file; ///< as the user or the project names it
+    std::string sha256;
+
+    friend bool operator==(const InputFile&, const InputFile&) = default;
+};
+
 /// A whole task, files read and placements expanded.
 struct Project {
     std::string name;
     std::string description;
+    InputFile file;                ///< the project file itself
+    std::vector<InputFile> inputs; ///< every other file, in the order of reading
     SceneDescription scene;
     std::vector<CalculationSurface> surfaces;
     Settings settings;

@@ -192,6 +192,7 @@ Results to_results(const Node& root) {
     r.converged = root.at("converged").boolean();
     r.interrupted = root.at("interrupted").boolean();
     r.replicates = root.at("replicates").count();
+    r.units = root.at("units").count();
     r.paths = root.at("paths").count();
     r.estimator = root.at("estimator").text();
     r.confidence = root.at("interval_confidence").number();

@@ -112,6 +112,7 @@ Json to_json(const ResultsDocument& d) {
     json["interrupted"] = r.interrupted;
     json["estimator"] = r.estimator;
     json["replicates"] = r.replicates;
+    json["units"] = r.units;
     json["paths"] = r.paths;
     Json& surfaces = json["surfaces"] = Json::array();
     for (const SurfaceResult& s : r.surfaces)
@@ -169,15 +170,14 @@ void append(std::string& text, const Json& json, std::size_t indent) {
 
 std::string_view isolux_version() noexcept { return ISOLUX_VERSION; }
 
-ResultsDocument make_results_document(std::string project_name,
-                                      InputFile project,
-                                      std::vector<InputFile> inputs,
-                                      const Settings& settings,
-                                      Results results) {
+ResultsDocument
+make_results_document(const Project& project, const Settings& settings, Results results) {
+    results.notices.insert(
+        results.notices.begin(), project.notices.begin(), project.notices.end());
     return {std::string(isolux_version()),
-            std::move(project_name),
-            std::move(project),
-            std::move(inputs),
+            project.name,
+            project.file,
+            project.inputs,
             settings.seed,
             settings.tolerance,
             settings.confidence,

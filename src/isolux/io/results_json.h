@@ -11,12 +11,6 @@
 
 namespace isolux {
 
-/// A file that the calculation read, and its SHA-256: 64 lower-case hexadecimal digits.
-struct InputFile {
-    std::string file; ///< as the project names it
-    std::string sha256;
-};
-
 /// results.json: what was found, and everything needed to find it again.
 struct ResultsDocument {
     std::string version; ///< of isolux; `isolux_version()` for a new document
@@ -32,12 +26,11 @@ struct ResultsDocument {
 /// Version of this library, "0.1.0".
 [[nodiscard]] std::string_view isolux_version() noexcept;
 
-/// A document for these results of a project calculated with `settings`.
-[[nodiscard]] ResultsDocument make_results_document(std::string project_name,
-                                                    InputFile project,
-                                                    std::vector<InputFile> inputs,
-                                                    const Settings& settings,
-                                                    Results results);
+/// A document for the results of a project calculated with `settings` (the command line may
+/// have changed the project's own). The project's notices come before those of the calculation;
+/// its scene is not looked at and may be gone.
+[[nodiscard]] ResultsDocument
+make_results_document(const Project& project, const Settings& settings, Results results);
 
 /// The document as JSON text, schema/results.schema.json. One point a line; numbers are the
 /// shortest that read back exactly, so equal results are equal texts. Everything that differs

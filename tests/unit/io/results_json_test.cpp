@@ -26,11 +26,12 @@ ResultsDocument make_document() {
     Settings settings;
     settings.seed = 9223372036854775807ULL;
     settings.tolerance = 0.02;
-    return make_results_document("Büro \"4\"",
-                                 {"office.json", std::string(64, 'a')},
-                                 {{"a.ies", std::string(64, 'b')}},
-                                 settings,
-                                 test::make_results());
+    Project project;
+    project.name = "Büro \"4\"";
+    project.file = {"office.json", std::string(64, 'a')};
+    project.inputs = {{"a.ies", std::string(64, 'b')}};
+    project.notices = {{"office.json", "the project's own notice", ""}};
+    return make_results_document(project, settings, test::make_results());
 }
 
 /// Complaints of valijson about a document, one a line.
@@ -57,9 +58,11 @@ TEST(ResultsJson, IsValidAgainstThePublishedSchema) {
     EXPECT_EQ(violations(json::parse(to_results_json(make_document()))), "");
     Results nothing;
     nothing.surfaces.push_back({});
-    EXPECT_EQ(violations(json::parse(to_results_json(
-                  make_results_document("", {"p", std::string(64, '0')}, {}, {}, nothing)))),
-              "");
+    Project empty;
+    empty.file.sha256 = std::string(64, '0');
+    EXPECT_EQ(
+        violations(json::parse(to_results_json(make_results_document(empty, {}, nothing)))),
+        "");
 }
 
 TEST(ResultsJson, SchemaNoticesWhatDoesNotBelong) {
@@ -90,7 +93,8 @@ TEST(ResultsJson, HasTheMembersThatScriptsRelyOn) {
     EXPECT_EQ(d["rays"], 300000021000);
     EXPECT_EQ(d["time"], (json{{"wall_s", 1.25}, {"cpu_s", 9.5}}));
     EXPECT_EQ(d["converged"], false);
-    EXPECT_EQ(d["notices"][0]["what"], "outside every room");
+    EXPECT_EQ(d["notices"][0]["what"], "the project's own notice");
+    EXPECT_EQ(d["notices"][1]["what"], "outside every room");
     const json& s = d["surfaces"][0];
     EXPECT_EQ(s["name"], "office/work \"plane\", 1");
     EXPECT_EQ(s["quantity"], "illuminance");
