@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,9 +47,9 @@ struct LuminousOpening {
 };
 
 struct LampSet {
-    int lamps = 1; ///< negative: absolute photometry (EULUMDAT)
+    int lamps = 1; ///< negative: absolute photometry
     std::string type;
-    Lumen flux; ///< of the whole set
+    Lumen flux; ///< of the whole set; 0 where the file tells none
     std::string colour;
     std::string colour_rendering;
     double watts = 0.0; ///< including control gear
@@ -69,8 +71,12 @@ struct LuminairePhotometry {
     LuminousOpening housing; ///< body; the opening again where the file tells no more
     bool is_absolute = false;
     std::optional<Lumen> declared_flux; ///< of the luminaire, where the file declares one
-    std::vector<LampSet> lamp_sets;
+    std::vector<LampSet> lamp_sets;     ///< alternatives, never added up
+    std::size_t lamp_set = 0;           ///< the one that lights the table
     double input_watts = 0.0;
+    /// EULUMDAT: luminous height of the opening's sides seen from C0, C90, C180, C270
+    /// (`opening` is as high as the largest of them).
+    std::optional<std::array<Metre, 4>> side_heights = std::nullopt;
 };
 
 } // namespace isolux

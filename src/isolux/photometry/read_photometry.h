@@ -5,14 +5,16 @@
 #include <string>
 #include <string_view>
 
+#include "isolux/base/angle.h"
 #include "isolux/base/error.h"
 #include "isolux/photometry/luminaire_photometry.h"
 
 namespace isolux {
 
 struct PhotometryOptions {
-    bool strict = false;      ///< notices become errors
+    bool strict = false;      ///< whatever breaks a rule of the format becomes an error
     std::size_t lamp_set = 0; ///< EULUMDAT: which of the alternative lamp sets lights the table
+    Angle luminaire_tilt; ///< LM-63 TILT: how far the luminaire is turned up from straight down
     /// Gives the text of a file that lies beside this one (TILT=file). Reading files is io's
     /// work, so the reader asks; absent or empty answer: the file is treated as missing.
     std::function<std::optional<std::string>(std::string_view file_name)> sibling;
