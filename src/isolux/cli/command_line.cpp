@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "isolux/base/error.h"
 #include "isolux/cli/console.h"
@@ -23,6 +24,7 @@ struct Verb {
 };
 
 constexpr std::array verbs{
+    Verb{"reference", add_reference},
     Verb{"schema", add_schema},
 };
 
@@ -60,17 +62,35 @@ void check_first_word(const std::string& word) {
     throw InputError("isolux", fmt::format("'{}' is not a verb", word), hint);
 }
 
-/// Words that the verb could not place.
-void check_left_over(const CLI::App& verb) {
-    std::vector<Message> messages;
+/// A word that is none of the verb's own sub-commands, where it has some.
+Message
+unknown_subcommand(const CLI::App& app, const std::string& place, const std::string& word) {
     std::vector<std::string> known;
-    for (const CLI::Option* option : verb.get_options()) {
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+        known.push_back(sub->get_name());
+    const auto similar = find_similar(word, known);
+    return {place,
+            fmt::format("'{}' is not known", word),
+            similar ? fmt::format("Did you mean {}?", *similar)
+                    : fmt::format("Known are {}", fmt::join(known, " and "))};
+}
+
+/// Words that the verb, or the sub-command chosen in it, could not place.
+void find_left_over(const CLI::App& app,
+                    const std::string& place,
+                    std::vector<Message>& messages) {
+    std::vector<std::string> known;
+    for (const CLI::Option* option : app.get_options()) {
         for (const std::string& name : option->get_lnames())
             known.push_back("--" + name);
     }
-    const std::string place = "isolux " + verb.get_name();
-    for (const std::string& word : verb.remaining()) {
+    const bool has_choice = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+    for (const std::string& word : app.remaining()) {
         if (!word.starts_with('-')) {
+            if (has_choice && app.get_subcommands().empty()) {
+                messages.push_back(unknown_subcommand(app, place, word));
+                return; // what follows was meant for the one that is not known
+            }
             messages.push_back({place, fmt::format("'{}' is one argument too many", word), ""});
             continue;
         }
@@ -81,8 +101,26 @@ void check_left_over(const CLI::App& verb) {
                             similar ? fmt::format("Did you mean {}?", *similar)
                                     : fmt::format("`{} --help` lists the options", place)});
     }
+    for (const CLI::App* chosen : app.get_subcommands())
+        find_left_over(*chosen, place + " " + chosen->get_name(), messages);
+}
+
+void check_left_over(const CLI::App& verb) {
+    std::vector<Message> messages;
+    find_left_over(verb, "isolux " + verb.get_name(), messages);
     if (!messages.empty())
         throw InputError(std::move(messages));
+}
+
+/// "isolux", the verb and what was chosen in it, as far as the words were understood.
+std::string chosen_place(const CLI::App& app) {
+    std::string place = "isolux";
+    const CLI::App* at = &app;
+    while (!at->get_subcommands().empty()) {
+        at = at->get_subcommands().front();
+        place += " " + at->get_name();
+    }
+    return place;
 }
 
 ExitCode parse_and_act(std::span<const std::string> arguments) {
@@ -116,9 +154,7 @@ ExitCode parse_and_act(std::span<const std::string> arguments) {
         print("isolux " ISOLUX_VERSION "\n");
         return ExitCode::success;
     } catch (const CLI::ParseError& e) {
-        const auto chosen = app.get_subcommands();
-        const std::string place =
-            chosen.empty() ? "isolux" : "isolux " + chosen.front()->get_name();
+        const std::string place = chosen_place(app);
         throw InputError(place, e.what(), fmt::format("See `{} --help`", place));
     }
     for (const auto& [verb, action] : actions) {
