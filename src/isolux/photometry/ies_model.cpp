@@ -149,6 +149,21 @@ std::vector<LampSet> make_lamp_sets(const IesDocument& d, bool is_absolute) {
     return {std::move(set)};
 }
 
+/// More light than the rated lamps give: the lumens field holds something else (lm/W, say).
+void check_efficiency(const IesDocument& d,
+                      const IntensityDistribution& distribution,
+                      Findings& findings) {
+    constexpr double allowed_ratio = 1.5; // real lamps exceed their rating, but not by so much
+    const double lamps = std::max(1.0, d.lamps.value) * d.lumens_per_lamp.value;
+    const double flux = distribution.flux_trapezoid().value();
+    if (lamps > 0.0 && flux > allowed_ratio * lamps)
+        findings.warn(d.lumens_per_lamp.line,
+                      "the table gives " + to_text(std::round(flux)) + " lm from lamps of "
+                          + to_text(std::round(lamps))
+                          + " lm (more than all of it; the table is used as it is)",
+                      "Is the lumens field something else?");
+}
+
 /// Makers of absolute files state the luminaire's flux in keywords of their own.
 std::optional<Lumen> find_declared_flux(const IesDocument& d) {
     for (const std::string_view keyword : {"_ABSOLUTELUMENS", "_TOTALLUMINAIRELUMENS"})
@@ -165,6 +180,7 @@ to_photometry(const IesDocument& d, const PhotometryOptions& options, Findings& 
     check_units_of_intensity(d, findings);
     const double factor = header_factor(d, findings) * find_tilt_factor(d, options, findings);
     IesTable table = make_table(d, factor, findings);
+    check_efficiency(d, table.distribution, findings);
     const bool is_absolute = d.lumens_per_lamp.value <= 0.0;
     const LuminousOpening opening = make_opening(d, findings);
     const std::string name = find_text(d, "LUMINAIRE");
