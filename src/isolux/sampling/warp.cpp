@@ -162,7 +162,7 @@ UnitVector3 SphericalTriangle::sample(double u, double v) const noexcept {
     const double big_w = s + sin_alpha * cos_c_;
     const double divisor = (big_w * s + big_u * t) * sin_alpha;
     const double ratio =
-        ((big_w * t - big_u * s) * cos_alpha - big_w) / divisor; // q of METHODS
+        ((big_w * t - big_u * s) * cos_alpha - big_w) / divisor; // m of METHODS eq. (38)
     const double q = divisor != 0.0 ? std::clamp(ratio, -1.0, 1.0) : 1.0;
     const Vector3 c = q * a_ + unit_sine(q) * perpendicular_part(c_, a_);
     const double z = 1.0 - v * (1.0 - dot(c, b_));

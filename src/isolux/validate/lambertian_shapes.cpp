@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 
 /// Element under the corner of a parallel rectangle x by y at distance c; odd in x and in y, so
-/// that four of them make any rectangle. METHODS "Verification", row 4, without the 1/pi.
+/// that four of them make any rectangle. METHODS "Closed answers", row 4, without the 1/pi.
 double parallel_corner(double x, double y, double c) noexcept {
     const double p = std::hypot(c, x);
     const double q = std::hypot(c, y);

@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double accuracy = 1e-9; // METHODS "Verification", rows 4 to 6
+constexpr double accuracy = 1e-9; // METHODS "Closed answers", rows 4 to 6
 
 UnitVector3 unit(double x, double y, double z) { return UnitVector3(Vector3{x, y, z}); }
 
@@ -22,7 +22,7 @@ double illuminance(const std::vector<Point3>& polygon, const Point3& p, const Un
 }
 
 // Element under a corner of a parallel rectangle a x b at distance c, and at the foot corner of
-// a wall b wide and a high at distance c: METHODS "Verification", rows 4 and 5.
+// a wall b wide and a high at distance c: METHODS "Closed answers", rows 4 and 5.
 double parallel_corner(double a, double b, double c) {
     const double A = a / c;
     const double B = b / c;
