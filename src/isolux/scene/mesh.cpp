@@ -80,7 +80,8 @@ struct SurfaceMesh::Implementation {
     void add_face(VertexHandles corners, std::uint32_t slot_of_face) {
         if (!is_joinable(mesh, corners))
             for (auto& corner : corners) {
-                const auto copy = mesh.add_vertex(mesh.point(corner));
+                const OpenMesh::Vec3d place = mesh.point(corner); // add_vertex may move it
+                const auto copy = mesh.add_vertex(place);
                 mesh.property(original, copy) = mesh.property(original, corner);
                 corner = copy;
             }
