@@ -211,24 +211,18 @@ TEST(Luminaire, UprightLambertianShinesForwards) {
 TEST(Luminaire, TableGivesIntensityAndFlux) {
     const IntensityDistribution uniform(
         {degrees(0), degrees(360)}, {degrees(0), degrees(180)}, {100, 100, 100, 100});
-    LuminairePhotometry photometry{PhotometricFormat::eulumdat,
-                                   'C',
-                                   "none",
-                                   2,
-                                   2,
-                                   "",
-                                   "",
-                                   "",
-                                   uniform,
-                                   {},
-                                   {},
-                                   false,
-                                   {},
-                                   {},
-                                   0.0};
+    const LuminairePhotometry photometry{.symmetry = "",
+                                         .manufacturer = "",
+                                         .name = "",
+                                         .catalogue_number = "",
+                                         .distribution = uniform,
+                                         .opening = {},
+                                         .housing = {},
+                                         .declared_flux = {},
+                                         .lamp_sets = {}};
     const LuminaireType type{.name = "table",
                              .file = "table.ldt",
-                             .source = std::move(photometry),
+                             .source = photometry,
                              .opening = {},
                              .flux_scale = 2.0};
     EXPECT_NEAR(in_lumen(luminous_flux(type)), 2.0 * 4.0 * pi * 100.0, 1e-9);
