@@ -1,0 +1,294 @@
+#include "isolux/viz/contours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include <vtkBandedPolyDataContourFilter.h>
+#include <vtkCellArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include "isolux/viz/smooth_field.h"
+
+namespace isolux {
+
+namespace {
+
+/// Intervals to a cell: fine enough that curves look round, coarse enough that large grids stay
+/// quick.
+std::size_t choose_steps(const CellField& field) {
+    constexpr double triangles_wanted = 40000.0;
+    constexpr double triangles_per_cell = 8.0;
+    const double cells = static_cast<double>(field.counts.columns * field.counts.rows);
+    const double halves = std::sqrt(triangles_wanted / (triangles_per_cell * cells));
+    return 2 * static_cast<std::size_t>(std::clamp(halves, 1.0, 16.0));
+}
+
+void fill_cell(vtkCellArray& triangles,
+               std::size_t column,
+               std::size_t row,
+               std::size_t steps,
+               std::size_t nodes_u,
+               const std::vector<vtkIdType>& ids) {
+    for (std::size_t b = 0; b < steps; ++b)
+        for (std::size_t a = 0; a < steps; ++a) {
+            const std::size_t n = (row * steps + b) * nodes_u + column * steps + a;
+            const std::array<vtkIdType, 4> q{
+                ids[n], ids[n + 1], ids[n + nodes_u + 1], ids[n + nodes_u]};
+            // Diagonals point to the cell's centre: a mirrored field has mirrored contours.
+            const std::size_t k = (2 * a < steps) == (2 * b < steps) ? 0 : 1;
+            for (const auto& t : {std::array{q[k], q[k + 1], q[k + 2]},
+                                  std::array{q[k], q[k + 2], q[(k + 3) % 4]}})
+                triangles.InsertNextCell(3, t.data());
+        }
+}
+
+vtkNew<vtkPolyData> make_triangles(const CellField& field) {
+    const std::size_t steps = choose_steps(field);
+    const ValueTable nodes =
+        smooth_to_lattice({field.counts.columns, field.counts.rows, field.values}, steps);
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkDoubleArray> values;
+    std::vector<vtkIdType> ids(nodes.values.size(), -1);
+    for (std::size_t j = 0; j < nodes.rows; ++j)
+        for (std::size_t i = 0; i < nodes.columns; ++i) {
+            const double value = nodes.at(i, j);
+            if (std::isnan(value))
+                continue;
+            const double u = static_cast<double>(i) / static_cast<double>(nodes.columns - 1);
+            const double v = static_cast<double>(j) / static_cast<double>(nodes.rows - 1);
+            ids[j * nodes.columns + i] =
+                points->InsertNextPoint(field.width * u, field.height * v, 0.0);
+            values->InsertNextValue(value);
+        }
+    vtkNew<vtkCellArray> triangles;
+    for (std::size_t row = 0; row < field.counts.rows; ++row)
+        for (std::size_t column = 0; column < field.counts.columns; ++column)
+            if (!std::isnan(field.values[row * field.counts.columns + column]))
+                fill_cell(*triangles, column, row, steps, nodes.columns, ids);
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(points);
+    data->SetPolys(triangles);
+    data->GetPointData()->SetScalars(values);
+    return data;
+}
+
+/// VTK's polygons, each inside one band between two levels.
+struct Bands {
+    std::vector<Point2> points;
+    std::vector<std::vector<std::size_t>> polygons; ///< counter-clockwise
+    std::vector<std::size_t> band; ///< of each polygon: how many levels are at or below it
+};
+
+Bands cut_into_bands(const CellField& field, std::span<const double> levels) {
+    const vtkNew<vtkPolyData> triangles = make_triangles(field);
+    vtkNew<vtkBandedPolyDataContourFilter> filter;
+    vtkPolyData* cut = triangles;
+    if (!levels.empty() && triangles->GetNumberOfPolys() > 0) {
+        filter->SetInputData(triangles);
+        filter->SetNumberOfContours(static_cast<int>(levels.size()));
+        for (std::size_t k = 0; k < levels.size(); ++k)
+            filter->SetValue(static_cast<int>(k), levels[k]);
+        filter->SetScalarModeToValue();
+        filter->SetClipTolerance(1e-12);
+        filter->Update();
+        cut = filter->GetOutput();
+    }
+    Bands bands;
+    for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p) {
+        const double* x = cut->GetPoint(p);
+        bands.points.push_back({x[0], x[1]});
+    }
+    vtkDataArray* values = cut->GetPointData()->GetScalars();
+    vtkNew<vtkIdList> corners;
+    cut->GetPolys()->InitTraversal();
+    while (cut->GetPolys()->GetNextCell(corners) != 0) {
+        std::vector<std::size_t> polygon;
+        double sum = 0.0;
+        for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) {
+            polygon.push_back(static_cast<std::size_t>(corners->GetId(k)));
+            sum += values->GetTuple1(corners->GetId(k));
+        }
+        const double mean = sum / static_cast<double>(polygon.size());
+        const auto above = std::upper_bound(levels.begin(), levels.end(), mean);
+        bands.band.push_back(static_cast<std::size_t>(above - levels.begin()));
+        bands.polygons.push_back(std::move(polygon));
+    }
+    return bands;
+}
+
+/// A border between bands, or between a band and the outside.
+struct BorderEdge {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    std::optional<std::size_t> left;  ///< band on the left of from -> to
+    std::optional<std::size_t> right; ///< on the right
+};
+
+std::vector<BorderEdge> find_borders(const Bands& bands) {
+    struct Side {
+        std::size_t low, high, band;
+        bool ascends;
+    };
+
+    std::vector<Side> sides;
+    for (std::size_t c = 0; c < bands.polygons.size(); ++c) {
+        const std::vector<std::size_t>& polygon = bands.polygons[c];
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const std::size_t a = polygon[k];
+            const std::size_t b = polygon[(k + 1) % polygon.size()];
+            if (a != b)
+                sides.push_back({std::min(a, b), std::max(a, b), bands.band[c], a < b});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+        return std::tie(x.low, x.high, x.ascends, x.band)
+               < std::tie(y.low, y.high, y.ascends, y.band);
+    });
+    std::vector<BorderEdge> borders;
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        BorderEdge e{sides[k].low, sides[k].high, {}, {}};
+        for (;; ++k) {
+            (sides[k].ascends ? e.left : e.right) = sides[k].band;
+            if (k + 1 == sides.size() || sides[k + 1].low != e.from
+                || sides[k + 1].high != e.to)
+                break;
+        }
+        if (e.left != e.right)
+            borders.push_back(e);
+    }
+    return borders;
+}
+
+struct DirectedEdge {
+    std::size_t from = 0;
+    std::size_t to = 0;
+};
+
+/// Joins edges end to end: open chains from where they begin, then rings.
+std::vector<Polyline> chain(const std::vector<DirectedEdge>& edges,
+                            const std::vector<Point2>& points) {
+    std::multimap<std::size_t, std::size_t> leaving;
+    std::map<std::size_t, int> balance;
+    for (const DirectedEdge& e : edges) {
+        leaving.emplace(e.from, e.to);
+        ++balance[e.from];
+        --balance[e.to];
+    }
+    std::vector<Polyline> lines;
+    const auto follow = [&](std::size_t start) {
+        Polyline line{points[start]};
+        std::size_t at = start;
+        for (auto next = leaving.find(at); next != leaving.end(); next = leaving.find(at)) {
+            at = next->second;
+            leaving.erase(next);
+            line.push_back(points[at]);
+            if (at == start)
+                break;
+        }
+        lines.push_back(std::move(line));
+    };
+    for (auto& [vertex, surplus] : balance)
+        for (; surplus > 0; --surplus)
+            follow(vertex);
+    while (!leaving.empty())
+        follow(leaving.begin()->first);
+    return lines;
+}
+
+/// Edges around the places whose band is at least `lowest`, those places on the left.
+std::vector<DirectedEdge>
+edges_around(const std::vector<BorderEdge>& borders, std::size_t lowest, bool inner_only) {
+    std::vector<DirectedEdge> edges;
+    for (const BorderEdge& e : borders) {
+        const bool left = e.left && *e.left >= lowest;
+        const bool right = e.right && *e.right >= lowest;
+        if (left == right || (inner_only && !(e.left && e.right)))
+            continue;
+        edges.push_back(left ? DirectedEdge{e.from, e.to} : DirectedEdge{e.to, e.from});
+    }
+    return edges;
+}
+
+/// Mean of what the neighbours of a cell lead to, each followed in a straight line; NaN if
+/// none has a value.
+template <class Value>
+double continue_outwards(const Value& value, std::ptrdiff_t column, std::ptrdiff_t row) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::ptrdiff_t dr = -1; dr <= 1; ++dr)
+        for (std::ptrdiff_t dc = -1; dc <= 1; ++dc) {
+            const double near = value(column + dc, row + dr);
+            const double far = value(column + 2 * dc, row + 2 * dr);
+            if (std::isnan(near))
+                continue;
+            // No further than to zero or to twice the near value.
+            sum += std::isnan(far) ? near : std::clamp(2.0 * near - far, 0.0, 2.0 * near);
+            count += 1.0;
+        }
+    return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+CellField make_cell_field(const GridLayout& grid, std::span<const double> values) {
+    CellField field{grid.counts, grid.width, grid.height, {}};
+    field.values.assign(grid.counts.columns * grid.counts.rows,
+                        std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t p = 0; p < values.size(); ++p)
+        field.values[grid.cell_of_point[p]] = values[p];
+    return field;
+}
+
+CellField fill_cells(CellField field, const std::vector<bool>& wanted) {
+    const auto columns = static_cast<std::ptrdiff_t>(field.counts.columns);
+    const auto rows = static_cast<std::ptrdiff_t>(field.counts.rows);
+    for (bool has_grown = true; has_grown;) {
+        has_grown = false;
+        const CellField before = field;
+        const auto value = [&](std::ptrdiff_t c, std::ptrdiff_t r) {
+            const bool is_outside = c < 0 || r < 0 || c >= columns || r >= rows;
+            return is_outside ? std::numeric_limits<double>::quiet_NaN()
+                              : before.values[static_cast<std::size_t>(r * columns + c)];
+        };
+        for (std::ptrdiff_t r = 0; r < rows; ++r)
+            for (std::ptrdiff_t c = 0; c < columns; ++c) {
+                const auto cell = static_cast<std::size_t>(r * columns + c);
+                if (!wanted[cell] || !std::isnan(before.values[cell]))
+                    continue;
+                if (const double v = continue_outwards(value, c, r); !std::isnan(v)) {
+                    field.values[cell] = v;
+                    has_grown = true;
+                }
+            }
+    }
+    return field;
+}
+
+std::vector<Contour> make_contours(const CellField& field, std::span<const double> levels) {
+    const Bands bands = cut_into_bands(field, levels);
+    const std::vector<BorderEdge> borders = find_borders(bands);
+    std::vector<Contour> contours;
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        contours.push_back({levels[k],
+                            chain(edges_around(borders, k + 1, false), bands.points),
+                            chain(edges_around(borders, k + 1, true), bands.points)});
+    return contours;
+}
+
+std::vector<Polyline> outline_of_cells(const CellField& field) {
+    const Bands bands = cut_into_bands(field, {});
+    return chain(edges_around(find_borders(bands), 0, false), bands.points);
+}
+
+} // namespace isolux
