@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "isolux/viz/output_file.h"
+#include "isolux/io/safe_file.h"
 
 namespace isolux {
 
@@ -52,10 +52,10 @@ std::string printable(std::string_view text) {
 void write_drawing(const std::filesystem::path& stem, const Drawing& drawing) {
     std::filesystem::path svg = stem;
     svg += ".svg";
-    write_output_file(svg, to_svg(drawing));
+    write_file_safely(svg, to_svg(drawing));
     std::filesystem::path png = stem;
     png += ".png";
-    write_output_file(png, to_png(drawing));
+    write_file_safely(png, to_png(drawing));
 }
 
 } // namespace isolux

@@ -101,7 +101,7 @@ inline constexpr double cap_height = 0.73;
 [[nodiscard]] std::string to_png(const Drawing& drawing, double dots_per_inch = 200.0);
 
 /// Writes `stem`.svg and `stem`.png, each under a temporary name first.
-/// @throws std::system_error
+/// @throws WriteError
 void write_drawing(const std::filesystem::path& stem, const Drawing& drawing);
 
 } // namespace isolux

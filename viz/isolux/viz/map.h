@@ -36,7 +36,7 @@ draw_map(const SurfaceResult& result, const Plan& plan, const MapNotes& notes);
                                     const std::string& project);
 
 /// Write `stem`.svg and `stem`.png, each under a temporary name first.
-/// @throws std::system_error
+/// @throws WriteError
 void write_map(const std::filesystem::path& stem,
                const SurfaceResult& result,
                const Plan& plan,

@@ -19,7 +19,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include "isolux/base/check.h"
-#include "isolux/viz/output_file.h"
+#include "isolux/io/safe_file.h"
 
 namespace isolux {
 
@@ -253,11 +253,11 @@ std::string to_room_vtp(const Scene& scene) {
 void write_surface_vtp(const std::filesystem::path& path,
                        const SurfaceResult& result,
                        double confidence) {
-    write_output_file(path, to_surface_vtp(result, confidence));
+    write_file_safely(path, to_surface_vtp(result, confidence));
 }
 
 void write_room_vtp(const std::filesystem::path& path, const Scene& scene) {
-    write_output_file(path, to_room_vtp(scene));
+    write_file_safely(path, to_room_vtp(scene));
 }
 
 } // namespace isolux

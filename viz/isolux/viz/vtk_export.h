@@ -30,7 +30,7 @@ namespace isolux {
 /// (double; of a pane at normal incidence).
 [[nodiscard]] std::string to_room_vtp(const Scene& scene);
 
-/// Write under a temporary name beside `path`, then rename. @throws std::system_error
+/// Write under a temporary name beside `path`, then rename. @throws WriteError
 void write_surface_vtp(const std::filesystem::path& path,
                        const SurfaceResult& result,
                        double confidence);
