@@ -14,9 +14,12 @@ bool is_digit(char c) noexcept { return c >= '0' && c <= '9'; }
 } // namespace
 
 std::optional<double> parse_number(std::string_view text) {
-    if (text.starts_with('+'))
+    if (text.starts_with('+')) {
         text.remove_prefix(1);
-    // from_chars would also take "inf" and "nan", and a second sign after '+'
+        if (text.starts_with('-'))
+            return std::nullopt;
+    }
+    // from_chars would also take "inf" and "nan"
     const std::size_t first = text.starts_with('-') ? 1 : 0;
     const bool starts_like_a_number =
         first < text.size()
@@ -46,7 +49,12 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::string to_text(double value) {
     std::array<char, 32> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    constexpr double longest_plain = 1e15; // 1000000000, not 1e+09
+    const bool is_plain = value == std::floor(value) && std::abs(value) < longest_plain;
+    char* const end = buffer.data() + buffer.size();
+    const auto result = is_plain
+                            ? std::to_chars(buffer.data(), end, value, std::chars_format::fixed)
+                            : std::to_chars(buffer.data(), end, value);
     return {buffer.data(), result.ptr};
 }
 
