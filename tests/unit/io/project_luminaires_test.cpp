@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include "support/malformed_project.h"
+
+namespace isolux::test {
+namespace {
+
+class MalformedLuminaires : public testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedLuminaires, IsReportedInTheseWords) { expect_these_words(GetParam()); }
+
+TEST_P(MalformedLuminaires, DepartsFromTheSchemaIfItsShapeIsWrong) {
+    expect_schema_agrees(GetParam());
+}
+
+const Malformed types[] = {
+    {"NoTypes",
+     "luminaire_types",
+     "{}",
+     "#/luminaire_types: there are no luminaire types (a project needs at least one)\n"
+     R"(#/luminaires/0/type: unknown luminaire type "panel" (luminaire_types has no such member))",
+     shape},
+    {"NoFlux",
+     "luminaire_types",
+     R"({"panel": {"lambertian": {"size": [0.6, 0.6]}}})",
+     R"(#/luminaire_types/panel/lambertian: the key "flux" is missing (a lambertian opening needs it))",
+     shape},
+    {"FluxNegative",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": -470}}})",
+     "#/luminaire_types/panel/isotropic/flux: -470 is too small (it must be above 0 lm)",
+     shape},
+    {"FluxOutside",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": 470}, "flux": 400}})",
+     R"(#/luminaire_types/panel/flux: "flux" does not go with "isotropic" (give one of the two))"},
+    {"SizeAndDiameter",
+     "luminaire_types",
+     R"({"panel": {"lambertian": {"size": [1, 1], "diameter": 1, "flux": 1}}})",
+     R"(#/luminaire_types/panel/lambertian: "size" and "diameter" exclude each other (a lambertian opening has one of them))",
+     shape},
+    {"NoSource",
+     "luminaire_types",
+     R"({"panel": {"maintenance_factor": 0.8}})",
+     R"(#/luminaire_types/panel: a luminaire type needs one of "file", "lambertian" and "isotropic" (none is given))",
+     shape},
+    {"NoSuchFile",
+     "luminaire_types",
+     R"({"panel": {"file": "nowhere.ies"}})",
+     R"(#/luminaire_types/panel/file: cannot find "nowhere.ies" (no such file))"},
+    {"FileIsAFolder",
+     "luminaire_types",
+     R"({"panel": {"file": "."}})",
+     R"(#/luminaire_types/panel/file: "." is a folder (a file belongs here))"},
+    {"BodyOfAPoint",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": 470}, "body": "absorbing"}})",
+     "#/luminaire_types/panel/body: a luminaire with a point for an opening has no body "
+     R"((it has no size). Give it an "opening"?)"},
+    {"BlackLight",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": 470}, "colour": [0, 0, 0]}})",
+     "#/luminaire_types/panel/colour: the colour is black (a luminaire of that colour "
+     "gives no light)"},
+    {"DimmedAboveFull",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": 470}, "dimming": 1.2}})",
+     "#/luminaire_types/panel/dimming: 1.2 is too large (it must be at most 1)",
+     shape},
+    {"LampSetZero",
+     "luminaire_types",
+     R"({"panel": {"file": ".", "lamp_set": 0}})",
+     "#/luminaire_types/panel/lamp_set: 0 is too small (it must be at least 1)\n"
+     R"(#/luminaire_types/panel/file: "." is a folder (a file belongs here))",
+     shape},
+};
+
+INSTANTIATE_TEST_SUITE_P(Types, MalformedLuminaires, testing::ValuesIn(types), name_of);
+
+const Malformed placement[] = {
+    {"UnknownType",
+     "luminaires",
+     R"([{"type": "pannel", "position": [1, 1, 2]}])",
+     R"(#/luminaires/0/type: unknown luminaire type "pannel" (luminaire_types has no such member). Did you mean "panel"?)"},
+    {"NoPlace",
+     "luminaires",
+     R"([{"type": "panel"}])",
+     R"(#/luminaires/0: a luminaire needs one of "position", "positions", "field", "line" and "ring" (none is given))",
+     shape},
+    {"AboveTheCeiling",
+     "luminaires",
+     R"([{"type": "panel", "position": [1, 1, 3.2]}])",
+     "#/luminaires/0/position: the luminaire at (1, 1, 3.2) is outside every room (no "
+     R"(wall would reflect its light). Room "office" reaches from z = 0 m to 3 m)"},
+    {"BesideTheRoom",
+     "luminaires",
+     R"([{"type": "panel", "positions": [[1, 1, 2], [7, 1, 2]]}])",
+     "#/luminaires/0/positions/1: the luminaire at (7, 1, 2) is outside every room (no "
+     "wall would reflect its light)"},
+    {"AimEqualsPosition",
+     "luminaires",
+     R"([{"type": "panel", "position": [1, 1, 2], "aim": [1, 1, 2]}])",
+     "#/luminaires/0/aim: the aim equals the position (no direction follows from it). "
+     "Aim at the floor below?"},
+    {"AimAndTilt",
+     "luminaires",
+     R"([{"type": "panel", "position": [1, 1, 2], "aim": [1, 1, 0], "tilt": 10}])",
+     R"(#/luminaires/0/tilt: "tilt" does not go with "aim" (give one of the two))"},
+    {"SpinWithoutAim",
+     "luminaires",
+     R"([{"type": "panel", "position": [1, 1, 2], "spin": 90}])",
+     R"(#/luminaires/0/spin: "spin" turns about the aim (there is no "aim"). Use "rotation" instead?)"},
+    {"UnknownRoom",
+     "luminaires",
+     R"([{"type": "panel", "field": {"room": "Offise", "rows": 1, "columns": 1}}])",
+     R"(#/luminaires/0/field/room: unknown room "Offise" (rooms has no such name). Did you mean "office"?)"},
+    {"ZeroRows",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 0, "columns": 2}}])",
+     "#/luminaires/0/field/rows: 0 is too small (it must be at least 1)",
+     shape},
+    {"FieldAboveTheCeiling",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 1, "columns": 2, "height": 3.5}}])",
+     R"(#/luminaires/0/field/height: 3.5 m is above the ceiling (room "office" is 3 m high))"},
+    {"FieldBelowTheFloor",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 1, "columns": 2, "suspended": 3}}])",
+     R"(#/luminaires/0/field/suspended: 3 m below the ceiling is below the floor (room "office" is 3 m high))"},
+    {"HeightAndSuspended",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 1, "columns": 2, "height": 2.5, "suspended": 0.5}}])",
+     R"(#/luminaires/0/field/suspended: "suspended" does not go with "height" (give one of the two))"},
+    {"FieldOutsideTheRoom",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 1, "columns": 2, "corner": [10, 10], "size": [1, 1]}}])",
+     R"(#/luminaires/0/field: no luminaire of the field lies in room "office" (all are left out))"},
+    {"FieldBeyondTheRoom",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 1, "columns": 2, "corner": [10, 10]}}])",
+     "#/luminaires/0/field/corner: the corner lies beyond the room (nothing is left to "
+     "fill)"},
+    {"FieldTooLarge",
+     "luminaires",
+     R"([{"type": "panel", "field": {"rows": 200, "columns": 200}}])",
+     "#/luminaires/0/field: 40000 luminaires are too many (at most 10000 an entry)"},
+    {"LineInOnePlace",
+     "luminaires",
+     R"([{"type": "panel", "line": {"from": [1, 1, 2], "to": [1, 1, 2], "count": 2}}])",
+     "#/luminaires/0/line: the line starts where it ends (its luminaires would hang in "
+     "one place)"},
+    {"RingWithoutRadius",
+     "luminaires",
+     R"([{"type": "panel", "ring": {"centre": [3, 2, 2], "count": 6}}])",
+     R"(#/luminaires/0/ring: the key "radius" is missing (a ring needs it))",
+     shape},
+    {"OutwardsAndAim",
+     "luminaires",
+     R"([{"type": "panel", "ring": {"centre": [3, 2, 2], "radius": 1, "count": 4, "outwards": true}, "aim": [3, 2, 0]}])",
+     R"(#/luminaires/0: "outwards" does not go with "aim" (both say where the luminaires look))"},
+    {"AllOff",
+     "luminaires",
+     R"([{"type": "panel", "position": [1, 1, 2], "dimming": 0}])",
+     "#/luminaires: all luminaires are dimmed to 0 (there would be no light)"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Placement, MalformedLuminaires, testing::ValuesIn(placement), name_of);
+
+} // namespace
+} // namespace isolux::test
