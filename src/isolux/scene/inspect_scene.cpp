@@ -27,8 +27,7 @@ bool is_in_a_room(const std::vector<Room>& rooms, const Point3& p) {
     return std::ranges::any_of(rooms, [&](const Room& room) { return contains(room, p); });
 }
 
-// ---- objects
-// -----------------------------------------------------------------------------------
+// Objects.
 
 /// A sheet in one plane: its border is open on purpose.
 bool is_flat(std::span<const MeshTriangle> triangles) {
@@ -88,8 +87,7 @@ void inspect_position(const Object& object,
                             "Is its position in metres and in the building's coordinates?"});
 }
 
-// ---- luminaires
-// --------------------------------------------------------------------------------
+// Luminaires.
 
 using Corners = std::array<Point3, 3>;
 

@@ -80,7 +80,8 @@ struct Luminaire {
 [[nodiscard]] Lumen luminous_flux(const LuminaireType& type) noexcept;
 
 /// Intensity of the type towards a direction in its own frame, `flux_scale` applied. For a
-/// Lambertian source: L A cos(angle to the front).
+/// Lambertian source: Phi / pi cos(angle to the front), which is down, or +x for an upright
+/// opening.
 [[nodiscard]] Candela luminous_intensity(const LuminaireType& type,
                                          const UnitVector3& local) noexcept;
 
@@ -91,7 +92,7 @@ struct Luminaire {
 [[nodiscard]] Opening to_world(const Opening& local, const Frame& world_from_luminaire);
 
 /// Aims a luminaire: nadir towards `aim`, C0 as near as possible to where it was before aiming,
-/// then turned by `spin` about the nadir axis.
+/// then turned by `spin` about its own vertical axis in the sense of `rotation` below.
 /// @pre position != aim
 [[nodiscard]] Frame make_aimed_frame(const Point3& position, const Point3& aim, Angle spin);
 

@@ -44,9 +44,8 @@ struct SurfaceDistances {
 
 inline constexpr std::size_t packet_size = 16;
 
-/// Embree behind a wall: the only border between float and double, the only file that knows
-/// which Embree it is. Coordinates are recentred before the float conversion. Safe to call from
-/// any number of threads.
+/// What light asks the scene, in double precision. Coordinates are recentred before they become
+/// the ray tracer's floats. Safe to call from any number of threads.
 class RayCaster {
 public:
     explicit RayCaster(std::span<const CasterTriangle> triangles);
@@ -66,7 +65,7 @@ public:
 
     /// 0 if an opaque surface stands between the two points, else the product of the panes'
     /// transmittances. Ends are taken as they are: offset them first. The last 1e-5 of the
-    /// segment does not count, so that an end may touch a surface.
+    /// segment and two offsets there do not count, so that `b` may touch a surface.
     [[nodiscard]] double transmittance(const Point3& a, const Point3& b) const noexcept;
 
     /// The same for up to packet_size segments at once. Entries whose `wanted` bit is 0 are

@@ -160,8 +160,7 @@ TEST(Opening, ToWorldTurnsAndMovesFacets) {
     }
 }
 
-// ---- sources without a file
-// --------------------------------------------------------------------
+// Sources without a file.
 
 LuminaireType lambertian(double flux) {
     LuminaireType t{.name = "panel",
@@ -229,8 +228,7 @@ TEST(Luminaire, TableGivesIntensityAndFlux) {
     EXPECT_NEAR(in_candela(luminous_intensity(type, at_gamma(33))), 200.0, 1e-10);
 }
 
-// ---- frames
-// ------------------------------------------------------------------------------------
+// Frames.
 
 void expect_rotation(const Frame& f) {
     // Rounding, multiplied where +x lies near the nadir and little of it is left for C0.

@@ -10,8 +10,7 @@
 namespace isolux {
 namespace {
 
-// ---- one tetrahedron in every format: volume 1/6, right side out
-// -------------------------------
+// One tetrahedron in every format: volume 1/6, right side out.
 
 const std::string obj_text = "# a tetrahedron\nmtllib ignored.mtl\nv 0 0 0\nv 1 0 0\n"
                              "v 0 1 0 1.0\nv 0 0 1 0.5 0.5 0.5\nvn 0 0 1\nusemtl base\n"
@@ -153,8 +152,7 @@ TEST(MeshFiles, CoordinatesKeepDoublePrecision) {
     EXPECT_EQ(least, 0.0);
 }
 
-// ---- messages
-// ----------------------------------------------------------------------------------
+// Messages.
 
 void expect_message(const std::string& bytes,
                     MeshFileFormat format,

@@ -95,8 +95,7 @@ TEST(SurfaceMesh, PointsRepeatedFaceByFaceStillMakeAClosedCube) {
     EXPECT_TRUE(SurfaceMesh(points, faces).inspect().empty());
 }
 
-// ---- inspection
-// --------------------------------------------------------------------------------
+// Inspection.
 
 TEST(MeshInspection, ReportsABorderOnceWithItsLength) {
     expect_single(cube_without(0), Kind::open_edge, "open border, 4 m long in 4 edges");
@@ -218,8 +217,7 @@ TEST(SurfaceMesh, AMirrorImageStaysRightSideOut) {
     EXPECT_TRUE(mirrored.inspect().empty());
 }
 
-// ---- primitives
-// --------------------------------------------------------------------------------
+// Primitives.
 
 TEST(Primitives, BoxStandsOnItsPosition) {
     const SurfaceMesh box = make_box({1.6, 0.8, 0.74});

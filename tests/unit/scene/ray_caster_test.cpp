@@ -273,8 +273,7 @@ TEST(RayCaster, OffsetGrowsWithTheDistanceFromTheMiddle) {
     EXPECT_NEAR(caster.offset_point(corner, up).z - corner.z, 3.0 * 0x1p-20 + 1e-5, 1e-12);
 }
 
-// ---- panes
-// -------------------------------------------------------------------------------------
+// Panes.
 
 TEST(RayCaster, PaneDimsByTheSlabFormulaAtEveryAngle) {
     std::vector<CasterTriangle> t;
@@ -319,8 +318,7 @@ TEST(RayCaster, PanesMultiplyAndWallsStop) {
     EXPECT_LT(hit->triangle.index(), 2U); // the first pane, not the wall behind it
 }
 
-// ---- rooms that touch
-// --------------------------------------------------------------------------
+// Rooms that touch.
 
 TEST(RayCaster, EachRoomSeesItsOwnSideOfASharedWall) {
     // Far from the origin and turned, so that the two walls do not coincide to the last bit.

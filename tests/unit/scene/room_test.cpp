@@ -99,8 +99,7 @@ Solid measure(const Object& shell) {
     return solid;
 }
 
-// ---- polygons
-// ----------------------------------------------------------------------------------
+// Polygons.
 
 TEST(Polygon, SignedAreaTellsTheSense) {
     EXPECT_DOUBLE_EQ(signed_area(rectangle), 24.0);
@@ -140,8 +139,7 @@ TEST(Room, ContainsWhatIsInsideAndOnItsBorder) {
     EXPECT_TRUE(contains(room, {1, 1, 2}));    // on the column
 }
 
-// ---- shells
-// ------------------------------------------------------------------------------------
+// Shells.
 
 TEST(RoomShell, IsClosedAndLooksInwardsForEveryFootprint) {
     for (const auto& footprint : {rectangle, l_shape, u_shape, star, circle(1, 2, 3, 40)})

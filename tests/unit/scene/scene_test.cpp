@@ -253,8 +253,7 @@ TEST(Scene, GrowsTheGapBehindOpeningsWithTheScene) {
     EXPECT_EQ(scene.caster.transmittance({2, 1, 2.4}, on_opening), 0.0);
 }
 
-// ---- inspection
-// --------------------------------------------------------------------------------
+// Inspection.
 
 std::vector<std::string> inspect(const SceneDescription& d) {
     std::vector<std::string> texts;

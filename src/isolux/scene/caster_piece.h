@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "isolux/base/ids.h"
+#include "isolux/base/vec.h"
+#include "isolux/scene/material.h"
+#include "isolux/scene/ray_caster.h"
+
+namespace isolux {
+
+/// A triangle in double precision, relative to the caster's centre.
+struct Piece {
+    Vector3 a;
+    Vector3 ab;
+    Vector3 ac;
+    UnitVector3 normal;
+    TriangleId id;
+    bool is_shell = false;
+    ClearPane pane; ///< panes only
+
+    [[nodiscard]] Vector3 at(double u, double v) const noexcept { return a + u * ab + v * ac; }
+};
+
+[[nodiscard]] Piece
+make_piece(const CasterTriangle& triangle, TriangleId id, const Point3& centre);
+
+/// True if `p` lies within `reach` (m) of the triangle.
+[[nodiscard]] bool is_on(const Piece& piece, const Vector3& p, double reach) noexcept;
+
+/// For every shell triangle the shell triangles that lie back to back with it, within about
+/// `reach` (m): the other sides of walls that two rooms share.
+[[nodiscard]] std::vector<std::vector<std::uint32_t>>
+find_twins(const std::vector<Piece>& pieces, double reach);
+
+/// Distance in metres from `p` to the nearest point of a triangle: over its inside the distance
+/// to the plane, elsewhere that to the nearest edge.
+[[nodiscard]] double distance_to(const Piece& piece, const Vector3& p) noexcept;
+
+/// Whether two triangles are parts of one surface as far as light is concerned: hardly turned
+/// against each other, and neither in front of the other.
+[[nodiscard]] bool continues(const Piece& p, const Piece& q) noexcept;
+
+} // namespace isolux

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "isolux/base/vec.h"
+
+namespace isolux {
+
+/// A piece of a straight line: from + t direction for t in [near, far].
+struct TracedRay {
+    Vector3 from;
+    Vector3 direction; ///< any length but zero
+    double near = 0.0;
+    double far = 1.0;
+};
+
+/// Where a ray meets a triangle, as the ray tracer tells it, in float precision: at corner 0 +
+/// u (corner 1 - corner 0) + v (corner 2 - corner 0).
+struct TracedHit {
+    std::uint32_t triangle = 0;
+    double u = 0.0;
+    double v = 0.0;
+    double t = 0.0; ///< in lengths of the ray's direction
+};
+
+/// Triangles in a search tree of Embree, watertight ("robust"). Only its source file knows
+/// which Embree it is (3.13 or 4), and only there coordinates become float. Safe to query from
+/// any number of threads.
+class EmbreeScene {
+public:
+    static constexpr std::size_t packet_width = 16;
+
+    /// @param corners  three for each triangle; at least one triangle
+    /// @throws DeviceError
+    explicit EmbreeScene(std::span<const Vector3> corners);
+    ~EmbreeScene();
+    EmbreeScene(EmbreeScene&&) noexcept;
+    EmbreeScene& operator=(EmbreeScene&&) noexcept;
+
+    [[nodiscard]] std::optional<TracedHit> find_first_hit(const TracedRay& ray) const noexcept;
+    [[nodiscard]] bool is_occluded(const TracedRay& ray) const noexcept;
+
+    /// Bit i is set if ray i is occluded; only rays whose bit in `wanted` is set are traced.
+    /// @pre at most packet_width rays
+    [[nodiscard]] std::uint32_t find_occluded(std::span<const TracedRay> rays,
+                                              std::uint32_t wanted) const noexcept;
+
+    /// Calls `visit` with every triangle whose box meets the sphere about `p`, in an order that
+    /// only the triangles decide; it may be called with others, too. `visit` must not throw.
+    void visit_near(const Vector3& p,
+                    double radius,
+                    const std::function<void(std::uint32_t triangle)>& visit) const noexcept;
+
+private:
+    struct Handles;
+    std::unique_ptr<Handles> handles_;
+};
+
+} // namespace isolux
