@@ -1,29 +1,27 @@
 # Reads every #include of the library, the pictures and the command, and compares it with the
-# plan of ARCHITECTURE.md: arrows point down only, third-party headers stay in .cpp files and in
-# the room that may know them.
+# table of floors in ARCHITECTURE.md: arrows point down only, third-party headers stay in .cpp
+# files and in the room that may know them.
 #
 #   cmake -DROOT=<repository> [-DEXPECTED=<number of problems, 0 if left out>] -P layering.cmake
 cmake_minimum_required(VERSION 3.25)
 
-# room: what it may include, besides itself and the standard library
-set(base)
-set(photometry base)
-set(sampling base)
-set(filter base)
-set(validate base)
-set(scene base photometry)
-set(transport base photometry sampling scene)
-set(measure base photometry scene)
-set(calc base photometry sampling filter validate scene transport measure)
-set(io base photometry scene measure calc)
-set(viz base photometry scene measure calc io)
-set(cli base photometry sampling filter validate scene transport measure calc io viz)
-set(rooms base photometry sampling filter validate scene transport measure calc io viz cli)
+# The table of floors: room, and what it may include besides itself.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/../../ARCHITECTURE.md rows REGEX "^\\| [0-9] \\| `[a-z]+` \\|")
+foreach(row IN LISTS rows)
+  string(REGEX MATCH "^\\| [0-9] \\| `([a-z]+)` .*\\| ([^|]+) \\|$" unused "${row}")
+  set(room ${CMAKE_MATCH_1})
+  if(CMAKE_MATCH_2 STREQUAL "every room")
+    set(${room} ${rooms})
+  else()
+    string(REPLACE ", " ";" ${room} "${CMAKE_MATCH_2}")
+  endif()
+  list(APPEND rooms ${room})
+endforeach()
 
 # third-party header: the rooms whose .cpp files may include it
 set(foreign_families
     "tbb/=base" "oneapi/=base" "embree[34]/=scene" "OpenMesh/=scene" "nlohmann/=io,cli"
-    "valijson/=io" "CLI/=cli" "vtk=viz")
+    "valijson/=io" "openssl/=io" "CLI/=cli" "vtk=viz" "cairo=viz")
 
 set(problems)
 
