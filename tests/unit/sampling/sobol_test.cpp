@@ -3,6 +3,7 @@
 #include <set>
 #include <vector>
 
+#include <boost/random/sobol.hpp>
 #include <gtest/gtest.h>
 
 #include "isolux/sampling/sobol.h"
@@ -46,6 +47,16 @@ TEST(Sobol, StartsAsPublished) {
     for (std::uint32_t i = 0; i < 8; ++i)
         for (std::uint32_t d = 0; d < 3; ++d)
             EXPECT_EQ(sobol(i, d), expected[i][d]) << "point " << i << " dimension " << d;
+}
+
+// Boost.Random walks through the same points in the order of the Gray code, without the first.
+TEST(Sobol, EveryDimensionEqualsBoostRandom) {
+    boost::random::sobol_engine<std::uint32_t, 32> engine(sobol_dimensions);
+    for (std::uint32_t i = 1; i < 1024; ++i)
+        for (std::uint32_t d = 0; d < sobol_dimensions; ++d)
+            ASSERT_EQ(std::ldexp(sobol(i ^ i >> 1U, d), 32), engine())
+                << "point " << i << " dimension " << d;
+    EXPECT_EQ(sobol(0, 19), 0.0);
 }
 
 TEST(Sobol, FirstTwoDimensionsAreA0m2Net) {
