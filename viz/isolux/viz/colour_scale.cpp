@@ -117,14 +117,19 @@ std::vector<Colour> band_colours(std::size_t bands) {
                                              {110, 206, 88},
                                              {181, 222, 43},
                                              {253, 231, 37}};
+    constexpr double widest_step = 1.0 / 6.0;
     constexpr double lightening_of_darkest = 0.52;
     constexpr double lightening_of_lightest = 0.15;
     std::vector<Colour> colours;
     for (std::size_t i = 0; i < bands; ++i) {
+        // Few bands lie close together on the scale: a small difference looks small.
+        const double step =
+            std::min(1.0 / std::max(static_cast<double>(bands) - 1.0, 1.0), widest_step);
         const double t =
-            bands == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(bands - 1);
+            0.5 + step * (static_cast<double>(i) - 0.5 * (static_cast<double>(bands) - 1.0));
         const double place = t * static_cast<double>(viridis.size() - 1);
-        const std::size_t k = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
+        const std::size_t k =
+            std::min(static_cast<std::size_t>(std::max(place, 0.0)), viridis.size() - 2);
         const double f = place - static_cast<double>(k);
         const Colour& a = viridis[k];
         const Colour& b = viridis[k + 1];

@@ -94,10 +94,20 @@ std::vector<ScaleNumber> numbers_of(const ColourLegend& legend) {
     return numbers;
 }
 
-/// A tick's number with as many decimals as its step needs.
-std::string tick_text(double value, double step) {
+struct Tick {
+    double value = 0.0;
+    std::string text; ///< with as many decimals as the step needs
+};
+
+std::vector<Tick> ticks(double low, double high, double mm_per_metre) {
+    const double length = (high - low) * mm_per_metre;
+    const double spacing = std::clamp(length / 3.0, 7.0, 13.0); // mm, at least
+    const double step = nice_above(spacing / mm_per_metre);
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
-    return fmt::format("{:.{}f}", value + 0.0, decimals);
+    std::vector<Tick> list;
+    for (double k = std::ceil(low / step); k * step <= high; k += 1.0)
+        list.push_back({k * step, fmt::format("{:.{}f}", k * step + 0.0, decimals)});
+    return list;
 }
 
 } // namespace
@@ -256,22 +266,17 @@ void MapPage::write_texts(const PageText& text) {
 
 void MapPage::write_axes() {
     constexpr double tick = 1.2;
-    constexpr double spacing = 13.0; // mm between ticks, at least
-    const double nice_step = nice_above(spacing / scale_);
     const Point2 low = to_page(extent_.low);
     const Point2 high = to_page(extent_.high);
-    for (double k = std::ceil(extent_.low.x / nice_step); k * nice_step <= extent_.high.x;
-         k += 1.0) {
-        const double x = to_page({k * nice_step, 0.0}).x;
+    for (const auto& [value, text] : ticks(extent_.low.x, extent_.high.x, scale_)) {
+        const double x = to_page({value, 0.0}).x;
         add(line({x, low.y}, {x, low.y + tick}, 0.15, ink::grey));
-        add(label(
-            tick_text(k * nice_step, nice_step), {x, low.y + 4.2}, small_size, Anchor::middle));
+        add(label(text, {x, low.y + 4.2}, small_size, Anchor::middle));
     }
-    for (double k = std::ceil(extent_.low.y / nice_step); k * nice_step <= extent_.high.y;
-         k += 1.0) {
-        const double y = to_page({0.0, k * nice_step}).y;
+    for (const auto& [value, text] : ticks(extent_.low.y, extent_.high.y, scale_)) {
+        const double y = to_page({0.0, value}).y;
         add(line({low.x - tick, y}, {low.x, y}, 0.15, ink::grey));
-        add(label(tick_text(k * nice_step, nice_step),
+        add(label(text,
                   {low.x - tick - 0.8, y + 0.5 * cap_height * small_size},
                   small_size,
                   Anchor::end));

@@ -37,6 +37,8 @@ std::string lux(const char* name, const Estimate& e, double confidence) {
 }
 
 std::string ratio(const char* name, const Estimate& e, double confidence) {
+    if (e.mean < 0.0005)
+        return fmt::format("{} < 0.001", name);
     std::string text = fmt::format("{} {:.{}f}", name, e.mean, e.mean < 0.0995 ? 3 : 2);
     if (const double half = half_width(e, confidence); half > 0.0 && e.mean > 0.0)
         text += " ± " + per_cent(half / e.mean);

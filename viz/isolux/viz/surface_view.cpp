@@ -155,18 +155,17 @@ Plan select_visible(const Plan& plan,
     return visible;
 }
 
-Extent map_extent(const Extent& surface, const Plan& visible) {
+Extent
+map_extent(const CalculationSurface& surface, const SurfaceView& view, const Plan& visible) {
     constexpr double whole_room_share = 0.4; // of the room's width or height
-    Extent e = surface;
-    Extent room;
-    for (const PlanOutline& r : visible.rooms)
-        for (const Point2& p : {extent_of(r).low, extent_of(r).high})
-            room.include(p);
-    if (visible.rooms.size() == 1
-        && (surface.width() > whole_room_share * room.width()
-            || surface.height() > whole_room_share * room.height())) {
-        e.include(room.low);
-        e.include(room.high);
+    Extent e = surface_extent(surface, view);
+    if (visible.rooms.size() == 1) {
+        const Extent room = extent_of(visible.rooms.front());
+        if (!surface.grid || e.width() > whole_room_share * room.width()
+            || e.height() > whole_room_share * room.height()) {
+            e.include(room.low);
+            e.include(room.high);
+        }
     }
     return with_margin(e);
 }

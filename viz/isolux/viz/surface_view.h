@@ -36,8 +36,9 @@ struct SurfaceView {
 [[nodiscard]] Plan
 select_visible(const Plan& plan, const CalculationSurface& surface, const SurfaceView& view);
 
-/// What a map shows: the surface and, where it fills much of it, its whole room.
-[[nodiscard]] Extent map_extent(const Extent& surface, const Plan& visible);
+/// What a map shows: the surface and, where it fills much of it or has no grid, its whole room.
+[[nodiscard]] Extent
+map_extent(const CalculationSurface& surface, const SurfaceView& view, const Plan& visible);
 
 /// Air around what is drawn, and at least a metre each way.
 [[nodiscard]] Extent with_margin(const Extent& e);
