@@ -110,9 +110,10 @@ void drop_unneeded(Circle& circle, const IntensityDistribution& d, PlaneSymmetry
                 return is_same_angle(own - 360.0 * std::floor(own / 360.0), c);
             }))
             return symmetry != PlaneSymmetry::rotational;
+        // about 90-270, 180 is the mirror image of 0
         return symmetry == PlaneSymmetry::quadrant
-               || (symmetry == PlaneSymmetry::bilateral_0_180 && c == 180.0)
-               || (symmetry == PlaneSymmetry::bilateral_90_270 && c != 180.0);
+               || symmetry == PlaneSymmetry::bilateral_90_270
+               || (symmetry == PlaneSymmetry::bilateral_0_180 && c == 180.0);
     };
     for (std::size_t i = circle.planes.size(); i-- > 0;)
         if (!is_needed(circle.planes[i])) {
