@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "isolux/io/results_json.h"
+#include "isolux/io/text_file.h"
 #include "isolux/measure/quantity.h"
 
 namespace isolux {
@@ -239,6 +240,10 @@ ResultsDocument parse_results_json(std::string_view text, std::string_view sourc
     d.confidence = root.at("confidence").number();
     d.results = to_results(root);
     return d;
+}
+
+ResultsDocument read_results_json(const std::filesystem::path& path) {
+    return parse_results_json(read_file_bytes(path, FileLimits::results), path.string());
 }
 
 } // namespace isolux

@@ -43,6 +43,9 @@ make_results_document(const Project& project, const Settings& settings, Results 
 [[nodiscard]] ResultsDocument parse_results_json(std::string_view text,
                                                  std::string_view source);
 
+/// The same from a file. @throws InputError  also for a file that is missing or too large
+[[nodiscard]] ResultsDocument read_results_json(const std::filesystem::path& path);
+
 /// Writes `folder`/results.json and one CSV a surface, named by file_stems() of the surfaces'
 /// names. Makes the folder where it is missing. @throws WriteError
 void write_results(const std::filesystem::path& folder, const ResultsDocument& document);

@@ -218,6 +218,9 @@ TEST(WriteResults, MakesOneFolderWithJsonAndOneCsvASurface) {
         names,
         UnorderedElementsAre("results.json", "office_work _plane_, 1.csv", "faces 机房.csv"));
     EXPECT_EQ(test::read_bytes(out / "results.json"), to_results_json(make_document()));
+    EXPECT_EQ(to_results_json(read_results_json(out / "results.json")),
+              to_results_json(make_document()));
+    EXPECT_THROW(static_cast<void>(read_results_json(out / "none.json")), InputError);
 }
 
 TEST(WriteResults, SaysWhyTheFolderCannotBeMade) {
