@@ -33,7 +33,8 @@ if(TARGET isolux_cli)
 endif()
 foreach(folder luminaires projects schema)
   if(EXISTS ${PROJECT_SOURCE_DIR}/${folder})
-    install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/isolux COMPONENT isolux)
+    install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/isolux COMPONENT isolux
+            PATTERN generate EXCLUDE PATTERN CMakeLists.txt EXCLUDE)
   endif()
 endforeach()
 install(FILES README.md METHODS.md LICENSE CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR}
