@@ -149,6 +149,19 @@ std::string reason_of(const std::string& words) {
     return reason;
 }
 
+/// The parser stops at the end of an offending text; its place is where it starts.
+std::size_t start_of_token(std::string_view text, std::size_t end) {
+    if (end == 0 || end >= text.size() || text[end] != '"')
+        return end;
+    std::size_t start = end - 1;
+    const auto is_quote = [&](std::size_t i) {
+        return text[i] == '"' && (i == 0 || text[i - 1] != '\\');
+    };
+    while (start > 0 && !is_quote(start) && text[start] != '\n')
+        --start;
+    return is_quote(start) ? start : end;
+}
+
 std::string hint_for(std::string_view text, std::size_t offset) {
     std::size_t i = std::min(offset, text.size());
     const auto is_blank = [](char c) {
@@ -160,8 +173,10 @@ std::string hint_for(std::string_view text, std::size_t offset) {
     const char last = i > 0 ? text[i - 1] : '\0';
     if ((here == '}' || here == ']') && last == ',')
         return "Remove the comma before it?";
-    if ((here == '"' || here == '{' || here == '[')
-        && (last == '"' || last == '}' || last == ']'))
+    const bool starts_value = here == '"' || here == '{' || here == '[';
+    const bool ended_value = last == '"' || last == '}' || last == ']'
+                             || std::isalnum(static_cast<unsigned char>(last)) != 0;
+    if (starts_value && ended_value)
         return "Is a comma missing before it?";
     if (here == '\'')
         return "Write texts in double quotes?";
@@ -188,7 +203,8 @@ JsonValue parse_json(std::string_view text, std::string_view source) {
     if (!builder.is_syntax())
         throw InputError(std::string(source), builder.problem());
     // The parser counts the bytes it has read, the offending one included.
-    const std::size_t offset = builder.position() > 0 ? builder.position() - 1 : 0;
+    const std::size_t end = builder.position() > 0 ? builder.position() - 1 : 0;
+    const std::size_t offset = start_of_token(text, end);
     throw InputError(place_of(text, offset, source),
                      "not valid JSON (" + reason_of(builder.problem()) + ")",
                      hint_for(text, offset));

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "isolux/scene/triangulate.h"
+
 namespace isolux {
 
 namespace {
@@ -58,7 +60,51 @@ inset_corner(const Point2& before, const Point2& corner, const Point2& after, do
     return {corner.x + k * (na.x + nb.x), corner.y + k * (na.y + nb.y)};
 }
 
+constexpr double least_overlap = 1e-3; // m
+
+bool is_well_inside(const Point2& p, std::span<const Point2> outline) {
+    return is_inside(p, outline) && distance_to_border(p, outline) > least_overlap;
+}
+
+/// Corners, middles of sides and middles of the triangles that make up the polygon.
+std::vector<Point2> typical_points(const std::vector<Point2>& outline) {
+    std::vector<Point2> points = outline;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const auto [a, b] = side(outline, i);
+        points.push_back({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+    }
+    for (const TriangleCorners& t : triangulate({outline})) {
+        const Point2& a = outline[t[0]];
+        const Point2& b = outline[t[1]];
+        const Point2& c = outline[t[2]];
+        points.push_back({(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0});
+    }
+    return points;
+}
+
+/// The sides cross, and reach more than `least_overlap` to either side of each other.
+bool do_cross_well(const Side& s, const Side& t) {
+    return do_cross(s, t) && distance_to_side(s.a, t) > least_overlap
+           && distance_to_side(s.b, t) > least_overlap
+           && distance_to_side(t.a, s) > least_overlap
+           && distance_to_side(t.b, s) > least_overlap;
+}
+
 } // namespace
+
+bool do_overlap(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+    for (const Point2& p : typical_points(a))
+        if (is_well_inside(p, b))
+            return true;
+    for (const Point2& p : typical_points(b))
+        if (is_well_inside(p, a))
+            return true;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j)
+            if (do_cross_well(side(a, i), side(b, j)))
+                return true;
+    return false;
+}
 
 Rectangle2 bounding_rectangle(std::span<const Point2> outline) noexcept {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -101,6 +147,8 @@ double border_distance(std::span<const Point2> a, std::span<const Point2> b) noe
 }
 
 std::vector<Point2> make_inset(std::span<const Point2> outline, double by) {
+    if (by <= 0.0)
+        return {outline.begin(), outline.end()};
     const std::size_t n = outline.size();
     std::vector<Point2> inset;
     for (std::size_t i = 0; i < n; ++i)

@@ -27,6 +27,9 @@ struct Rectangle2 {
 /// Between two borders; 0 where they cross or touch.
 [[nodiscard]] double border_distance(std::span<const Point2> a,
                                      std::span<const Point2> b) noexcept;
+/// Whether two simple polygons share more than a border; what overlaps by less than 1 mm only
+/// touches.
+[[nodiscard]] bool do_overlap(const std::vector<Point2>& a, const std::vector<Point2>& b);
 /// The polygon with every side moved inwards. Empty where the sides would change their order
 /// or cross, as in narrow bays.
 /// @pre counter-clockwise

@@ -147,6 +147,26 @@ std::optional<Room> read_room(const JsonObject& object, ProjectReader& reader) {
     return room;
 }
 
+/// Reports a room that shares space with an earlier one.
+void check_overlap(const JsonNode& node, const Room& room, const std::vector<Room>& others) {
+    const Rectangle2 bounds = bounding_rectangle(room.footprint);
+    for (const Room& other : others) {
+        const Rectangle2 theirs = bounding_rectangle(other.footprint);
+        const bool is_apart =
+            bounds.lower.x > theirs.upper.x || theirs.lower.x > bounds.upper.x
+            || bounds.lower.y > theirs.upper.y || theirs.lower.y > bounds.upper.y
+            || room.floor_level + shortest_wall > other.floor_level + other.height
+            || other.floor_level + shortest_wall > room.floor_level + room.height;
+        if (!is_apart && do_overlap(room.footprint, other.footprint))
+            node.error(
+                fmt::format("room \"{}\" overlaps room \"{}\" (each place belongs to one "
+                            "room)",
+                            room.name,
+                            other.name),
+                "Give it a \"position\" beside the other?");
+    }
+}
+
 } // namespace
 
 void read_rooms(const JsonNode& node, ProjectReader& reader) {
@@ -166,6 +186,7 @@ void read_rooms(const JsonNode& node, ProjectReader& reader) {
         RoomEntry entry{read_room_name(object, reader, nodes.size() == 1), std::nullopt};
         if (std::optional<Room> room = read_room(object, reader)) {
             room->name = entry.name;
+            check_overlap(item, *room, reader.project.scene.rooms);
             entry.index = reader.project.scene.rooms.size();
             reader.project.scene.rooms.push_back(std::move(*room));
         }

@@ -56,6 +56,10 @@ read_file_bytes(const fs::path& path, std::uintmax_t largest, std::string_view w
         throw InputError(
             place,
             fmt::format("\"{}\" is a folder (a file belongs here)", path.generic_string()));
+    if (fs::is_character_file(status) || fs::is_block_file(status) || fs::is_socket(status))
+        throw InputError(
+            place,
+            fmt::format("\"{}\" is a device (a file belongs here)", path.generic_string()));
     const std::uintmax_t size = fs::is_regular_file(status) ? fs::file_size(path, failed) : 0;
     const auto too_large = [&] {
         return InputError(place,
