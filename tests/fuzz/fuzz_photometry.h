@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
@@ -23,6 +24,8 @@ inline void insist(bool condition) {
 
 inline void check_refusal(const InputError& error, std::string_view name) {
     insist(!error.messages().empty());
+    if (!std::string_view(error.what()).starts_with(name))
+        std::fprintf(stderr, "%s\n", error.what());
     for (const Message& m : error.messages()) {
         insist(m.where.starts_with(name) && m.where.size() > name.size() + 1);
         insist(!m.what.empty());

@@ -45,16 +45,6 @@ bool looks_like_lm63(const SourceText& text) {
     return first.starts_with("IESNA") || first.starts_with("IES:");
 }
 
-Content content_of(const SourceText& text) {
-    if (has_tilt_line(text))
-        return Content::lm63;
-    if (looks_like_lm63(text))
-        return Content::lm63;
-    if (text.line_count() > 0 && trim(text.line(1)).starts_with('<'))
-        return Content::xml;
-    return looks_like_eulumdat(text) ? Content::eulumdat : Content::unknown;
-}
-
 std::optional<Content> content_by_name(std::string_view source) {
     const std::string upper = to_upper(source);
     if (upper.ends_with(".IES"))
@@ -64,10 +54,23 @@ std::optional<Content> content_by_name(std::string_view source) {
     return std::nullopt;
 }
 
+Content content_of(const SourceText& text, std::optional<Content> named) {
+    const bool may_be_lm63 = has_tilt_line(text) || looks_like_lm63(text);
+    const bool may_be_eulumdat = looks_like_eulumdat(text);
+    if (may_be_lm63 && may_be_eulumdat) // a text field of one that looks like the other
+        return named.value_or(Content::lm63);
+    if (may_be_lm63)
+        return Content::lm63;
+    if (may_be_eulumdat)
+        return Content::eulumdat;
+    const bool may_be_xml = text.line_count() > 0 && trim(text.line(1)).starts_with('<');
+    return may_be_xml ? Content::xml : Content::unknown;
+}
+
 /// The content decides; the name settles doubts.
 Content decide(const SourceText& text, Findings& findings) {
     const auto named = content_by_name(findings.source());
-    const Content found = content_of(text);
+    const Content found = content_of(text, named);
     if (found == Content::unknown) {
         if (named)
             return *named;

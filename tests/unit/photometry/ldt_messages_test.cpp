@@ -202,6 +202,14 @@ TEST(FormatSniffing, BelievesTheContent) {
               PhotometricFormat::eulumdat);
 }
 
+TEST(FormatSniffing, IsNotMisledByTexts) {
+    for (const char* company : {"<company>", "IESNA member", "TILT=NONE"}) {
+        auto lines = good_lines();
+        lines[0] = company;
+        EXPECT_EQ(parse_photometry(join(lines), "a.ldt").value.manufacturer, company);
+    }
+}
+
 TEST(FormatSniffing, NamesWhatItCannotRead) {
     messages::expect_error({"", "PK\x03\x04 rest", "1: a ZIP container"}, "a.gldf");
     messages::expect_error({"", "<?xml version=\"1.0\"?>\n<x/>", "1: XML, not LM-63"}, "a.xml");
