@@ -1,10 +1,10 @@
 #pragma once
 
-#include "isolux/scene/scene.h"
-
 #include <array>
 #include <string>
 #include <vector>
+
+#include "isolux/scene/scene.h"
 
 /// Scenes built triangle by triangle, for tests that must not depend on rooms and files.
 namespace isolux::test {
@@ -110,7 +110,8 @@ struct Builder {
             cast.push_back(c);
             area += t.area;
             for (const Point3& p : t.corner) {
-                if (is_first) bounds = {p, p};
+                if (is_first)
+                    bounds = {p, p};
                 is_first = false;
                 bounds.lower = {std::min(bounds.lower.x, p.x),
                                 std::min(bounds.lower.y, p.y),
@@ -120,8 +121,14 @@ struct Builder {
                                 std::max(bounds.upper.z, p.z)};
             }
         }
-        Scene scene{materials, {{"all", 0, triangles.size(), area, false}},
-                    triangles, types, luminaires, bounds, area, RayCaster(cast)};
+        Scene scene{materials,
+                    {{"all", 0, triangles.size(), area, false}},
+                    triangles,
+                    types,
+                    luminaires,
+                    bounds,
+                    area,
+                    RayCaster(cast)};
         return scene;
     }
 };

@@ -48,7 +48,9 @@ public:
 
     Results run() {
         engine_.prepare(receivers_);
-        const std::size_t first = receivers_.empty() ? 1 : choose_first_units();
+        const std::size_t first = settings_.fixed_units ? *settings_.fixed_units
+                                  : receivers_.empty()  ? 1
+                                                        : choose_first_units();
         expected_ = first * sums_.tiles().size();
         std::size_t done = 0;
         for (std::size_t check = 0, target = first;; ++check, target *= 2) {
@@ -59,7 +61,7 @@ public:
             }
             if (interrupted_)
                 break;
-            if (close_tiles(check))
+            if (close_tiles(check) || settings_.fixed_units)
                 break;
             expected_ = work_done_ + active_tiles() * target;
         }

@@ -15,7 +15,7 @@ namespace {
 
 /// Paths of the pilot that measures the mean chain length.
 constexpr std::size_t pilot_paths = 512;
-constexpr std::uint32_t pilot_replicate = 0xfffffffeU;
+constexpr std::uint32_t pilot_replicate = 0xfffffeU;
 
 /// METHODS "Edges": nearer to the second surface than this times sqrt(A / M) a point is traced.
 constexpr double edge_factor = 0.4;

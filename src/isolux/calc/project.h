@@ -31,6 +31,8 @@ struct Settings {
     Estimator estimator = Estimator::automatic;
     Statement statement = Statement::per_point;
     bool direct_only = false;
+    /// Exactly so many units of work instead of a tolerance, for experiments at equal work.
+    std::optional<std::size_t> fixed_units;
 };
 
 /// A file that a calculation read, and its SHA-256: 64 lower-case hexadecimal digits.
