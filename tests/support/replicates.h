@@ -52,30 +52,39 @@ struct Sample {
     }
 };
 
-/// The replicate values of a calculation with `seeds` seeds and so many units of work each.
+/// The replicate values of calculations with `seeds` seeds from `first_seed` on.
 inline Sample sample(const Scene& scene,
                      std::span<const Receiver> receivers,
-                     Estimator estimator,
-                     std::size_t units,
+                     Settings settings,
                      std::uint64_t first_seed = 1,
                      std::size_t seeds = 4) {
     CalculationSurface surface;
     surface.name = "points";
     surface.receivers.assign(receivers.begin(), receivers.end());
+    const std::vector<CalculationSurface> surfaces{surface};
     Sample result;
     result.points = receivers.size();
     for (std::uint64_t s = 0; s < seeds; ++s) {
-        Settings settings;
         settings.seed = first_seed + s;
-        settings.fixed_units = units;
-        settings.estimator = estimator;
-        const std::vector<CalculationSurface> surfaces{surface};
         const Results r = calculate(scene, surfaces, settings);
         const ReplicateTable& t = r.surfaces.front().replicates;
         for (std::size_t i = 0; i < t.replicates; ++i)
             result.rows.emplace_back(t.row(i).begin(), t.row(i).end());
     }
     return result;
+}
+
+/// The same with a fixed number of units of work each.
+inline Sample sample(const Scene& scene,
+                     std::span<const Receiver> receivers,
+                     Estimator estimator,
+                     std::size_t units,
+                     std::uint64_t first_seed = 1,
+                     std::size_t seeds = 4) {
+    Settings settings;
+    settings.fixed_units = units;
+    settings.estimator = estimator;
+    return sample(scene, receivers, settings, first_seed, seeds);
 }
 
 inline double z_score(const Estimate& e, double exact) {

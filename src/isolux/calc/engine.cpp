@@ -31,6 +31,13 @@ std::size_t paths_for(std::size_t points) {
     return std::clamp<std::size_t>(std::bit_ceil(static_cast<std::size_t>(wanted)), 256, 8192);
 }
 
+/// Gather rays a point should send: a point among few is worth as much work as the paths cost
+/// it.
+std::size_t directions_for(std::size_t points, std::size_t paths) {
+    return std::clamp<std::size_t>(
+        std::bit_floor(paths / std::max<std::size_t>(points, 1)), 4, 64);
+}
+
 } // namespace
 
 Engine::Engine(const Scene& scene, const Settings& settings)
@@ -39,6 +46,7 @@ Engine::Engine(const Scene& scene, const Settings& settings)
 
 void Engine::prepare(std::span<const Receiver> receivers) {
     effort_.paths = paths_for(receivers.size());
+    effort_.directions = directions_for(receivers.size(), effort_.paths);
 
     // Mean number of vertices of a path: a constant of the run, never a replicate's own count.
     double vertices_per_path = 1.0;
