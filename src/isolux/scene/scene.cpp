@@ -10,18 +10,30 @@
 namespace isolux {
 namespace {
 
-/// How far a black body lies behind its opening: 0.1 mm, or more where the scene is so large
-/// that rays could not tell the two apart.
-double gap_behind_openings(const Bounds& bounds) noexcept {
-    const Vector3 half = 0.5 * (bounds.upper - bounds.lower);
-    const double reach = std::max({half.x, half.y, half.z, 0.0});
-    return std::max(1e-4, 4.0 * (reach * 0x1p-20 + 1e-5));
+/// How far rays start off a surface at `p`, at least (RayCaster::offset_point).
+double ray_offset(const Point3& p, const Point3& centre) noexcept {
+    const Vector3 v = p - centre;
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * 0x1p-20 + 1e-5;
+}
+
+/// Where the black body of an opening's facet lies along the facet's normal. Behind a solid
+/// opening's faces: a tenth of a millimetre inside, or more where the scene is large. On a flat
+/// opening: in front of it by half of what rays start off it. So an opening set flush into a
+/// ceiling covers the ceiling, and light still starts before the body.
+double body_shift(const Facet& facet, OpeningForm form, const Point3& centre) noexcept {
+    double least = std::numeric_limits<double>::infinity();
+    double largest = 0.0;
+    for (const Point3& p : facet.vertices) {
+        least = std::min(least, ray_offset(p, centre));
+        largest = std::max(largest, ray_offset(p, centre));
+    }
+    return form == OpeningForm::flat ? 0.5 * least : -std::max(1e-4, 4.0 * largest);
 }
 
 class SceneBuilder {
 public:
     void add_object(const Object& object, bool is_shell);
-    void add_body(const Luminaire& luminaire, MaterialId black, double gap);
+    void add_body(const Luminaire& luminaire, MaterialId black, const Point3& centre);
     [[nodiscard]] Bounds bounds() const noexcept;
 
     std::vector<Surface> surfaces;
@@ -60,17 +72,20 @@ void SceneBuilder::add_object(const Object& object, bool is_shell) {
     }
 }
 
-/// Black facets just behind the opening's own: behind a flat one, inside a solid one.
-void SceneBuilder::add_body(const Luminaire& luminaire, MaterialId black, double gap) {
+/// Black facets on a flat opening, or just inside a solid one.
+void SceneBuilder::add_body(const Luminaire& luminaire,
+                            MaterialId black,
+                            const Point3& centre) {
     if (luminaire.opening.facets.empty())
         return;
     begin(luminaire.placement.name + "/body", false);
     for (const Facet& facet : luminaire.opening.facets) {
-        const Vector3 back = -gap * Vector3(facet.normal);
+        const Vector3 shift =
+            body_shift(facet, luminaire.opening.form, centre) * Vector3(facet.normal);
         for (std::size_t i = 1; i + 1 < facet.vertices.size(); ++i)
-            add({facet.vertices[0] + back,
-                 facet.vertices[i] + back,
-                 facet.vertices[i + 1] + back},
+            add({facet.vertices[0] + shift,
+                 facet.vertices[i] + shift,
+                 facet.vertices[i + 1] + shift},
                 black);
     }
 }
@@ -131,11 +146,12 @@ Scene build_scene(SceneDescription description) {
     description.materials.push_back({"black", Opaque{}, Sides::both});
     const MaterialId black(description.materials.size() - 1);
     auto luminaires = hang_luminaires(description);
-    const double gap = gap_behind_openings(built.bounds());
+    const Bounds shell = built.bounds();
+    const Point3 centre = midpoint(shell.lower, shell.upper);
     for (const Luminaire& luminaire : luminaires)
         if (description.luminaire_types[luminaire.placement.type.index()].body
             == BodyModel::absorbing)
-            built.add_body(luminaire, black, gap);
+            built.add_body(luminaire, black, centre);
 
     double total_area = 0.0;
     for (const SceneTriangle& t : built.triangles)

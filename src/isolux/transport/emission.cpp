@@ -19,10 +19,6 @@ constexpr std::size_t few_luminaires = 64;
 /// with a photometric table"), sr.
 constexpr double large_solid_angle = 0.05;
 
-/// A black panel stands this far behind a flat opening (see build_scene), m; light that leaves
-/// backwards starts behind it.
-constexpr double behind_panel = 2.5e-4;
-
 bool is_rectangular(const Facet& f) noexcept {
     if (f.vertices.size() != 4)
         return false;
@@ -273,11 +269,7 @@ Point3 Emission::departure(const EmissionPoint& from, const Vector3& w) const no
     if (l.opening.form == OpeningForm::point)
         return caster.offset_point(from.position, w);
     const Vector3 normal = l.opening.facets[from.facet].normal;
-    if (dot(normal, w) >= 0.0)
-        return caster.offset_point(from.position, normal);
-    const double clearance =
-        sources_[from.luminaire].type->body == BodyModel::absorbing ? behind_panel : 0.0;
-    return caster.offset_point(from.position - clearance * normal, -normal);
+    return caster.offset_point(from.position, dot(normal, w) >= 0.0 ? normal : -normal);
 }
 
 Rgb Emission::colour(std::size_t luminaire) const noexcept {
