@@ -17,6 +17,10 @@ namespace isolux {
 
 namespace {
 
+// The same bounds as in the project file's schema.
+constexpr double least_tolerance = 1e-4;
+constexpr double largest_tolerance = 0.5;
+
 std::string_view trim(std::string_view text) noexcept {
     constexpr std::string_view blanks = " \t\r";
     const std::size_t first = text.find_first_not_of(blanks);
@@ -70,15 +74,11 @@ double parse_tolerance(std::string_view option, std::string_view text) {
         reject(option,
                fmt::format("'{}' is not a tolerance", text),
                "Write a share of the value such as 1% or 0.01");
-    if (value <= 0.0)
-        reject(option,
-               fmt::format("{} is not above zero (no finite time reaches it)", text),
-               "Write a share of the value such as 1% or 0.01");
-    if (value >= 1.0)
-        reject(option,
-               fmt::format("{} means {:.6g} % (a tolerance is below 100 %)", text, 100 * value),
-               in_percent ? "Write a share of the value such as 1% or 0.01"
-                          : "Did you forget the percent sign?");
+    if (value < least_tolerance || value > largest_tolerance)
+        reject(
+            option,
+            fmt::format("{} means {:.6g} % (a tolerance is 0.01 % to 50 %)", text, 100 * value),
+            !in_percent && value >= 1.0 ? "Did you forget the percent sign?" : "");
     return value;
 }
 
@@ -116,11 +116,21 @@ std::uint64_t parse_count(std::string_view option,
 }
 
 Estimator parse_estimator(std::string_view option, std::string_view text) {
-    const std::array<std::string, 4> names{"auto", "local", "mis", "path-tracing"};
+    // The short names of the command line, then the long ones of the project file.
+    const std::array<std::string, 7> names{"auto",
+                                           "local",
+                                           "mis",
+                                           "path-tracing",
+                                           "automatic",
+                                           "local-estimation",
+                                           "local-estimation-mis"};
     constexpr std::array values{Estimator::automatic,
                                 Estimator::local_estimation,
                                 Estimator::local_estimation_mis,
-                                Estimator::path_tracing};
+                                Estimator::path_tracing,
+                                Estimator::automatic,
+                                Estimator::local_estimation,
+                                Estimator::local_estimation_mis};
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (text == names[i])
             return values[i];

@@ -10,7 +10,7 @@
 /// `text`.
 namespace isolux {
 
-/// "1%" or "0.01" (both 0.01). More than 0 and less than 1.
+/// "1%" or "0.01" (both 0.01). 0.01 % to 50 %.
 [[nodiscard]] double parse_tolerance(std::string_view option, std::string_view text);
 
 /// "60s", "1.5 min", "2h"; a bare number is seconds. More than 0.
@@ -23,7 +23,7 @@ namespace isolux {
                                         std::uint64_t minimum,
                                         std::uint64_t maximum);
 
-/// "auto", "local", "mis" or "path-tracing".
+/// "auto", "local", "mis" or "path-tracing", or the names of the project file.
 [[nodiscard]] Estimator parse_estimator(std::string_view option, std::string_view text);
 
 /// All of `text` as a finite number, blanks around it ignored; NaN if it is not one. The
