@@ -43,7 +43,7 @@ private:
                                   double v) const noexcept;
     [[nodiscard]] bool is_point_like(std::size_t luminaire, const Point3& at) const noexcept;
     void add_opening(const Receiver& receiver,
-                     const Point3& at,
+                     const Point3& clear,
                      std::size_t luminaire,
                      const Randomness& randomness,
                      std::span<Rgb> result,
