@@ -24,6 +24,7 @@ struct Verb {
 };
 
 constexpr std::array verbs{
+    Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},
     Verb{"schema", add_schema},
 };

@@ -22,6 +22,7 @@ enum class ExitCode {
 using Action = std::function<ExitCode()>;
 
 /// Each adds its options, description and examples to the sub-command `verb`.
+[[nodiscard]] Action add_selftest(CLI::App& verb);
 [[nodiscard]] Action add_reference(CLI::App& verb);
 [[nodiscard]] Action add_schema(CLI::App& verb);
 
