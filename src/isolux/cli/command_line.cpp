@@ -24,6 +24,9 @@ struct Verb {
 };
 
 constexpr std::array verbs{
+    Verb{"run", add_run},
+    Verb{"sense", add_sense},
+    Verb{"check", add_check},
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},
     Verb{"schema", add_schema},
@@ -32,8 +35,10 @@ constexpr std::array verbs{
 constexpr const char* top_level_footer = R"(
 Examples:
   isolux run projects/open-office         calculate everything in a project
+  isolux check office.json                what is wrong or odd in it
+  echo "2 3 0.75 0 0 1" | isolux sense office.json
+  isolux selftest                         compare the engine with known answers
   isolux run --help                       options and examples of a verb
-  isolux schema project                   the project file's JSON schema
 
 Exit status: 0 done; 2 your files or options are wrong; 1 anything else.)";
 

@@ -52,7 +52,7 @@ std::optional<double> find_seconds(std::string_view unit) noexcept {
 
 } // namespace
 
-double parse_number(std::string_view text) noexcept {
+double parse_finite_number(std::string_view text) noexcept {
     text = trim(text);
     if (text.starts_with('+') && text.size() > 1 && text[1] != '-')
         text.remove_prefix(1);
@@ -69,7 +69,7 @@ double parse_tolerance(std::string_view option, std::string_view text) {
     const bool in_percent = number.ends_with('%');
     if (in_percent)
         number.remove_suffix(1);
-    const double value = parse_number(number) * (in_percent ? 0.01 : 1.0);
+    const double value = parse_finite_number(number) * (in_percent ? 0.01 : 1.0);
     if (std::isnan(value))
         reject(option,
                fmt::format("'{}' is not a tolerance", text),
@@ -86,7 +86,7 @@ std::chrono::duration<double> parse_duration(std::string_view option, std::strin
     const std::string_view all = trim(text);
     const std::size_t unit = std::min(all.find_first_not_of("0123456789.+-eE"), all.size());
     const auto seconds = find_seconds(trim(all.substr(unit)));
-    const double value = parse_number(all.substr(0, unit)) * seconds.value_or(1.0);
+    const double value = parse_finite_number(all.substr(0, unit)) * seconds.value_or(1.0);
     if (!seconds || std::isnan(value))
         reject(option,
                fmt::format("'{}' is not a time", text),

@@ -28,6 +28,6 @@ namespace isolux {
 
 /// All of `text` as a finite number, blanks around it ignored; NaN if it is not one. The
 /// decimal mark is a point whatever the locale.
-[[nodiscard]] double parse_number(std::string_view text) noexcept;
+[[nodiscard]] double parse_finite_number(std::string_view text) noexcept;
 
 } // namespace isolux

@@ -56,7 +56,7 @@ std::optional<Receiver> parse_receiver(std::string_view text, const std::string&
         return std::nullopt;
     std::array<double, 6> numbers{};
     for (std::size_t i = 0; i < words.size() && i < numbers.size(); ++i) {
-        numbers[i] = parse_number(words[i]);
+        numbers[i] = parse_finite_number(words[i]);
         if (std::isnan(numbers[i]))
             throw InputError(
                 where, fmt::format("'{:.40}' is not a number", words[i]), expected_line);

@@ -48,7 +48,7 @@ struct SphereOptions {
 };
 
 double read_number(const std::string& option, std::string_view text) {
-    const double value = parse_number(text);
+    const double value = parse_finite_number(text);
     if (std::isnan(value))
         throw InputError(option, fmt::format("'{}' is not a number", text));
     return value;

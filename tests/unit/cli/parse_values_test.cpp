@@ -103,10 +103,10 @@ TEST(ParseEstimator, SuggestsTheNearestName) {
 }
 
 TEST(ParseNumber, TakesFiniteDecimalNumbersOnly) {
-    EXPECT_DOUBLE_EQ(parse_number(" +1.5e2\r"), 150.0);
-    EXPECT_DOUBLE_EQ(parse_number("-.5"), -0.5);
+    EXPECT_DOUBLE_EQ(parse_finite_number(" +1.5e2\r"), 150.0);
+    EXPECT_DOUBLE_EQ(parse_finite_number("-.5"), -0.5);
     for (const char* text : {"", "1..2", "1e", "inf", "nan", "0x10", "1,5", "+-1", "++1"})
-        EXPECT_TRUE(std::isnan(parse_number(text))) << text;
+        EXPECT_TRUE(std::isnan(parse_finite_number(text))) << text;
 }
 
 } // namespace

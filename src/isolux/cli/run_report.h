@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "isolux/calc/results.h"
+
+namespace isolux {
+
+/// "512.3 +-2.1": the value and half the width of its interval, to two digits of the latter; a
+/// value without doubt has four digits.
+[[nodiscard]] std::string format_estimate(const Estimate& e, double confidence);
+
+/// The table of all surfaces: points, Em, Emin, Emax, U0, Ud with their intervals.
+[[nodiscard]] std::string to_summary_table(const Results& results);
+
+/// Flux balance, time, rays and paths, one line each.
+[[nodiscard]] std::string to_run_facts(const Results& results);
+
+} // namespace isolux
