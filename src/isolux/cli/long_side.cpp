@@ -24,7 +24,7 @@ LuminousOpening visible_body(const LuminaireType& type) {
 std::string name_direction(const Vector3& v) {
     const double flat = std::hypot(v.x, v.y);
     if (std::abs(v.z) > 50.0 * flat)
-        return "upright";
+        return "the vertical";
     double turn = std::atan2(v.y, v.x) * (180.0 / std::numbers::pi);
     turn = std::round(turn < 0.0 ? turn + 180.0 : turn);
     std::string name = turn == 0.0 || turn == 180.0 ? "world x"

@@ -42,7 +42,7 @@ TEST(LongSide, MayRiseOrStandUpright) {
     EXPECT_EQ(text_for(1.2, 0.3, {rotate(Frame{}, y, degrees(20))}),
               "long side 1.2 m along world x rising 20 degrees");
     EXPECT_EQ(text_for(1.2, 0.3, {rotate(Frame{}, y, degrees(90))}),
-              "long side 1.2 m along upright");
+              "long side 1.2 m along the vertical");
 }
 
 TEST(LongSide, CountsDirections) {

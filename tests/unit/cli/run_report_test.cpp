@@ -36,8 +36,10 @@ TEST(SummaryTable, HasOneLineASurface) {
     results.surfaces.push_back(make_surface("desk", true));
     EXPECT_EQ(
         to_summary_table(results),
-        "surface  points     Em [lx]   Emin [lx]   Emax [lx]            U0            Ud\n"
-        "-------  ------  ----------  ----------  ----------  ------------  ------------\n"
+        "surface  points      Em [lx]    Emin [lx]    Emax [lx]             U0             "
+        "Ud\n"
+        "-------  ------  -----------  -----------  -----------  -------------  "
+        "-------------\n"
         "desk         45  500.0 +-2.1  300.0 +-4.3  700.0 +-4.3  0.600 +-0.021  0.430 "
         "+-0.021\n");
 }
