@@ -36,29 +36,41 @@ constexpr std::array<Version, 14> versions{{{"IESNA91", lm63_1991, true},
                                             {"IES:LM-63-2002", lm63_2002, false},
                                             {"IESNA:LM-63-2019", lm63_2019, false}}};
 
-void read_version(IesDocument& document, const SourceText& text, Findings& findings) {
-    const std::string_view line = text.line(1);
+/// The first line that is not blank.
+std::size_t version_line(const SourceText& text) {
+    std::size_t n = 1;
+    while (n < text.line_count() && trim(text.line(n)).empty())
+        ++n;
+    return n;
+}
+
+/// Gives the number of the first label line.
+std::size_t read_version(IesDocument& document, const SourceText& text, Findings& findings) {
+    const std::size_t number = version_line(text);
+    const std::string_view line = text.line(number);
     std::string tag = to_upper(line);
     std::erase_if(tag, [](char c) { return c == ' ' || c == '\t'; });
     const auto known = std::ranges::find(versions, std::string_view(tag), &Version::tag);
     if (known != versions.end()) {
         document.format = known->format;
         document.version_line = trim(line);
-        const bool is_exact =
-            known->is_official && line.starts_with(tag) && trim(line).size() == tag.size();
+        const bool is_exact = number == 1 && known->is_official && line.starts_with(tag)
+                              && trim(line).size() == tag.size();
         if (!is_exact)
-            findings.warn(1,
+            findings.warn(number,
                           "version line " + quoted(trim(line))
-                              + " is not spelt as in any edition of LM-63 (read as "
+                              + " is not as in any edition of LM-63 (read as "
                               + to_string(known->format) + ")");
-    } else if (tag.starts_with("IESNA") || tag.starts_with("IES:")) {
-        findings.warn(1,
+        return number + 1;
+    }
+    if (tag.starts_with("IESNA") || tag.starts_with("IES:"))
+        findings.warn(number,
                       "unknown version " + quoted(trim(line))
                           + " (read as LM-63-1986, where both ballast factors multiply)",
                       "A newer or misspelt edition?");
-    } else {
+    else
         findings.note(1, "no version line (read as LM-63-1986)");
-    }
+    return 1;
 }
 
 /// The value of a `TILT = value` line.
@@ -83,8 +95,10 @@ IesLabel make_label(std::string_view line, std::size_t number) {
 }
 
 /// Labels and the TILT line; gives the first line of the data.
-std::size_t read_labels(IesDocument& document, const SourceText& text, Findings& findings) {
-    const std::size_t first = document.version_line.empty() ? 1 : 2;
+std::size_t read_labels(IesDocument& document,
+                        const SourceText& text,
+                        std::size_t first,
+                        Findings& findings) {
     for (std::size_t n = first; n <= text.line_count(); ++n) {
         if (const auto value = tilt_value(text.line(n))) {
             const std::string upper = to_upper(*value);
@@ -212,8 +226,8 @@ IesDocument parse_ies(const SourceText& text, Findings& findings) {
         findings.fail(1, "the file is empty (no photometry)");
     IesDocument document;
     document.source = findings.source();
-    read_version(document, text, findings);
-    IesTokens tokens(text, read_labels(document, text, findings), findings);
+    const std::size_t first_label = read_version(document, text, findings);
+    IesTokens tokens(text, read_labels(document, text, first_label, findings), findings);
     check_required_keywords(document, findings);
     if (document.tilt == "INCLUDE")
         document.tilt_data = read_tilt(tokens, findings);

@@ -22,7 +22,7 @@ constexpr int most_lamp_sets = 100;
 
 void read_head(LdtDocument& d, LdtLines& lines) {
     d.company = lines.take_text("company");
-    d.type_indicator = lines.take_number("type indicator");
+    d.type_indicator = lines.take_informative("type indicator");
     d.symmetry = lines.take_count("symmetry indicator", 0, 4);
     d.planes = lines.take_count("number of C planes", 1, most_planes);
     d.plane_step = lines.take_number("step of the C planes");
@@ -43,7 +43,7 @@ void read_head(LdtDocument& d, LdtLines& lines) {
     d.downward_flux = lines.take_number("downward flux fraction");
     d.light_output_ratio = lines.take_number("light output ratio");
     d.conversion_factor = lines.take_number("conversion factor of the intensities");
-    d.tilt = lines.take_number("tilt during measurement");
+    d.tilt = lines.take_informative("tilt during measurement");
 }
 
 LdtLampSet read_lamp_set(LdtLines& lines, Findings& findings) {
@@ -57,7 +57,7 @@ LdtLampSet read_lamp_set(LdtLines& lines, Findings& findings) {
     set.flux = lines.take_number("flux of the lamp set");
     set.colour = lines.take_text("lamp colour");
     set.colour_rendering = lines.take_text("colour rendering");
-    set.watts = lines.take_number("watts of the lamp set");
+    set.watts = lines.take_informative("watts of the lamp set");
     return set;
 }
 

@@ -50,6 +50,20 @@ FileNumber LdtLines::take_number(std::string_view what) {
     return {to_number(text, what), next_ - 1};
 }
 
+FileNumber LdtLines::take_informative(std::string_view what) {
+    const std::string_view text = next_ <= last_ ? peek() : std::string_view{};
+    const bool has_digit_first =
+        text.find_first_of("0123456789") < 2; // perhaps after a sign or a point
+    if (text.empty()
+        || (has_digit_first
+            && text.find_first_not_of("0123456789.,+-eE") == std::string_view::npos))
+        return take_number(what);
+    findings_.warn(next_,
+                   quoted(text) + " for the " + std::string(what)
+                       + " (not a number; nothing depends on it, read as 0)");
+    return {0.0, next_++};
+}
+
 FileNumber LdtLines::take_count(std::string_view what, int least, int most) {
     const std::string_view text = take_line(what);
     const std::string range = " (must be a whole number from " + std::to_string(least) + " to "

@@ -30,6 +30,10 @@ public:
     /// A blank line counts as 0, with a warning. @throws InputError  not a number
     [[nodiscard]] FileNumber take_number(std::string_view what);
 
+    /// For numbers that tell the reader something and nothing depends on: text in their place
+    /// counts as 0, with a warning.
+    [[nodiscard]] FileNumber take_informative(std::string_view what);
+
     /// A blank line is refused. @throws InputError
     [[nodiscard]] FileNumber take_count(std::string_view what, int least, int most);
 

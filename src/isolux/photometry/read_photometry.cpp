@@ -40,9 +40,12 @@ bool looks_like_eulumdat(const SourceText& text) {
 }
 
 bool looks_like_lm63(const SourceText& text) {
-    const std::string first =
-        text.line_count() == 0 ? std::string{} : to_upper(trim(text.line(1)));
-    return first.starts_with("IESNA") || first.starts_with("IES:");
+    for (std::size_t n = 1; n <= text.line_count(); ++n) {
+        const std::string line = to_upper(trim(text.line(n)));
+        if (!line.empty())
+            return line.starts_with("IESNA") || line.starts_with("IES:");
+    }
+    return false;
 }
 
 std::optional<Content> content_by_name(std::string_view source) {

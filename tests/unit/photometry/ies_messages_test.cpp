@@ -141,14 +141,14 @@ INSTANTIATE_TEST_SUITE_P(
                  return text;
              }(),
              "1: lines end with carriage returns alone"},
-        Case{
-            "version_blank",
-            with("IESNA:LM", "IESNA: LM"),
-            "1: version line 'IESNA: LM-63-2002' is not spelt as in any edition of LM-63 (read "
-            "as LM-63-2002)"},
+        Case{"version_blank",
+             with("IESNA:LM", "IESNA: LM"),
+             "1: version line 'IESNA: LM-63-2002' is not as in any edition of LM-63 (read "
+             "as LM-63-2002)"},
         Case{
             "version_lower_case", with("IESNA:LM", "iesna:lm"), "1: version line 'iesna:lm-63"},
-        Case{"version_indented", " " + good, "1: version line 'IESNA:LM-63-2002' is not spelt"},
+        Case{"version_indented", " " + good, "1: version line 'IESNA:LM-63-2002' is not as in"},
+        Case{"version_late", "\n" + good, "2: version line 'IESNA:LM-63-2002' is not as in"},
         Case{"version_unknown",
              with("2002", "2031"),
              "1: unknown version 'IESNA:LM-63-2031' (read as LM-63-1986, where both"},
