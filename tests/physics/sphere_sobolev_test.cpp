@@ -98,7 +98,7 @@ TEST_P(Sobolev, AgreesOnBothPlanesAtSevenRadii) {
     const auto [rho1, rho2, h1] = GetParam();
     // Two plates of 60 x 60 separations: what lies outside adds less than 1e-5 at r <= 3 and
     // 1e-4 at 5 (validation by the series of images of the plate's own size, METHODS
-    // "Sobolev").
+    // 7.3).
     Builder b;
     const auto lower = b.add_diffuse(rho1);
     const auto upper = b.add_diffuse(rho2);
