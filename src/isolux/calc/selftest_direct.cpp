@@ -7,6 +7,7 @@
 #include "isolux/calc/selftest.h"
 #include "isolux/calc/selftest_answers.h"
 #include "isolux/calc/selftest_scenes.h"
+#include "isolux/measure/quantity.h"
 #include "isolux/validate/inverse_square.h"
 #include "isolux/validate/lambertian_shapes.h"
 
@@ -28,13 +29,12 @@ SelftestCase make_case(std::string name) {
 }
 
 std::string place_of(const Receiver& r) {
-    return fmt::format("({:g}, {:g}, {:g}) facing ({:.2g}, {:.2g}, {:.2g})",
-                       r.point.x,
-                       r.point.y,
-                       r.point.z,
-                       r.axis.x(),
-                       r.axis.y(),
-                       r.axis.z());
+    std::string place = fmt::format("({:g}, {:g}, {:g})", r.point.x, r.point.y, r.point.z);
+    if (r.kind == IlluminanceKind::planar)
+        return place
+               + fmt::format(
+                   " facing ({:.2g}, {:.2g}, {:.2g})", r.axis.x(), r.axis.y(), r.axis.z());
+    return place + " " + std::string(quantity_name(r.kind));
 }
 
 /// Points around a source at (0, 0, 2): below, aside, tilted, above, facing away.

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "cli/office.h"
+#include "cli/program.h"
+
+namespace isolux::test {
+namespace {
+
+TEST(CheckVerb, SumsUpAGoodProject) {
+    const TemporaryFolder folder;
+    const Ran ran = run_program({"check", folder.write("office.json", office)});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(ran.out,
+              "small office: 1 room, 0 objects, 5 luminaires, 2 calculation surfaces with 7 "
+              "points; 13200 lm over 24 m2 of floor, 550 lm/m2\n"
+              "luminaires: 4 x linear: 4000 lm each, 12800 lm in all as hung; long side 1.2 m "
+              "along world x\n"
+              "luminaires: 1 x bulb: 500 lm each, 400 lm in all as hung; no long side\n"
+              "surface: office work plane, 6 points in a grid of 3 x 2\n"
+              "surface: desk/1, 1 point\n"
+              "no errors, nothing odd\n");
+    EXPECT_EQ(ran.err, "");
+}
+
+TEST(CheckVerb, ListsWhatIsOdd) {
+    const TemporaryFolder folder;
+    const std::string project =
+        folder.write("office.json",
+                     R"({"isolux": 1, "rooms": [{"size": [6, 4], "height": 3}],
+            "luminaire_types": {"bulb": {"isotropic": {"flux": 500}}},
+            "luminaires": [{"type": "bulb", "position": [3, 2, 2]}]})");
+    const Ran ran = run_program({"check", project});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("notice: " + project + "#: no maintenance factor is given"),
+              std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("no errors, 1 notice\n"), std::string::npos) << ran.out;
+}
+
+TEST(CheckVerb, ListsEveryError) {
+    const TemporaryFolder folder;
+    const std::string project =
+        folder.write("office.json",
+                     R"({"isolux": 1, "rooms": [{"size": [6, 4], "hight": 3}],
+            "luminaire_types": {"bulb": {"isotropic": {"flux": -500}}},
+            "luminaires": [{"type": "bulb", "position": [3, 2, 2]}]})");
+    const Ran ran = run_program({"check", project});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_EQ(ran.out, "");
+    EXPECT_NE(ran.err.find("error: " + project + "#/rooms/0"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("error: " + project + "#/luminaire_types/bulb"), std::string::npos)
+        << ran.err;
+}
+
+TEST(CheckVerb, SaysWhenThereIsNoProject) {
+    const Ran ran = run_program({"check", "/nowhere/at/all"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_EQ(ran.err, "error: /nowhere/at/all: no such file or folder\n");
+}
+
+TEST(CheckVerb, HasHelpWithExamples) {
+    const Ran ran = run_program({"check", "--help"});
+    EXPECT_EQ(ran.exit_code, 0);
+    for (const char* text : {"Usage: isolux check", "Examples:", "Exit status:"})
+        EXPECT_NE(ran.out.find(text), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace isolux::test
