@@ -24,8 +24,8 @@ TEST_P(Selftest, AgreesWithItsKnownAnswers) {
 INSTANTIATE_TEST_SUITE_P(Cases,
                          Selftest,
                          testing::Range<std::size_t>(0, make_selftest_cases().size()),
-                         [](const testing::TestParamInfo<std::size_t>& info) {
-                             std::string name = make_selftest_cases()[info.param].name;
+                         [](const testing::TestParamInfo<std::size_t>& chosen) {
+                             std::string name = make_selftest_cases()[chosen.param].name;
                              for (char& c : name)
                                  c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
                              return name;

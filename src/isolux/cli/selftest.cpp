@@ -111,7 +111,7 @@ std::string summary_of(const std::vector<SelftestRow>& rows, double seconds) {
     return fmt::format(
         "\nA row passes if |z| is below {:.1f} and its standard error below {:g} % of the "
         "reference,\nor, where there is no chance involved, if it agrees to {:g}. A sound "
-        "program fails in one run of {:g}.\n{} of {} rows passed in {}.\n",
+        "program fails by chance in one run of {:.0f}.\n{} of {} rows passed in {}.\n",
         widest,
         100.0 * criteria.largest_error,
         criteria.deterministic_tolerance,
