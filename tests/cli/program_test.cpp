@@ -89,7 +89,8 @@ TEST(Program, HasAVersion) {
 TEST(Program, ExplainsItselfWhenAsked) {
     const Ran ran = run_program({"--help"});
     EXPECT_EQ(ran.exit_code, 0);
-    for (const char* text : {"Usage: isolux", "Verbs:", "Examples:", "Exit status:"})
+    for (const char* text :
+         {"Usage: isolux [OPTIONS] VERB", "Verbs:", "Examples:", "Exit status:"})
         EXPECT_NE(ran.out.find(text), std::string::npos) << text;
     EXPECT_EQ(ran.err, "");
 }

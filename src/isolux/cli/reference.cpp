@@ -252,6 +252,7 @@ Examples:
 
 Action add_reference(CLI::App& verb) {
     verb.description("Print the exact answer of a problem that has one");
+    verb.formatter(std::make_shared<CLI::Formatter>()); // the program's own says VERB
     verb.get_formatter()->label("SUBCOMMAND", "PROBLEM");
     CLI::App* const sobolev = verb.add_subcommand("sobolev")->group("Problems");
     CLI::App* const sphere = verb.add_subcommand("sphere")->group("Problems");
