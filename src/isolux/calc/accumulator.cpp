@@ -8,7 +8,7 @@ namespace isolux {
 
 namespace {
 
-constexpr std::size_t tile_size = 64;
+constexpr std::size_t tile_size = 16;
 
 } // namespace
 

@@ -9,7 +9,7 @@
 namespace isolux {
 
 /// Sums of one calculation: every value indexed by replicate and point, added in a fixed order.
-/// Points of all surfaces stand one after the other; a tile is up to 64 neighbours of one
+/// Points of all surfaces stand one after the other; a tile is up to 16 neighbours of one
 /// surface. Holds 2 x 8 bytes a replicate and point.
 class Accumulator {
 public:

@@ -158,13 +158,18 @@ void DirectLight::add_opening(const Receiver& receiver,
             const auto numbers = randomness.pair(static_cast<std::uint32_t>(r));
             const std::size_t samples =
                 is_analytic || beta == 0.0 ? looks : std::max(looks, unshadowed_samples);
-            const auto first = static_cast<std::uint32_t>(randomness.unit * unshadowed_samples);
+            // Units go on along the sequence without gaps, else they would never see some strata.
+            const auto first = static_cast<std::uint32_t>(randomness.unit * samples);
+            const auto first_look = static_cast<std::uint32_t>(randomness.unit * looks);
             double sum = 0.0;
-            for (std::uint32_t i = 0; i < samples; ++i) {
-                const auto [u, v] = numbers(first + i);
+            if (!is_analytic && beta > 0.0)
+                for (std::uint32_t i = 0; i < samples; ++i) {
+                    const auto [u, v] = numbers(first + i);
+                    sum += unshadowed(receiver, at, luminaire, u, v).value;
+                }
+            for (std::uint32_t i = 0; i < looks; ++i) {
+                const auto [u, v] = numbers(first_look + i);
                 const Term t = unshadowed(receiver, at, luminaire, u, v);
-                sum += t.value;
-                if (i >= looks) continue;
                 values[n] = t.value;
                 segments[n] = {clear, t.departure};
                 if (t.value > 0.0) wanted |= 1U << n;
