@@ -4,14 +4,11 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
 #include "isolux/scene/primitives.h"
 #include "isolux/scene/scene.h"
+
+#include "bench/bare_embree.h"
 
 /// Shadow rays through our caster and, on the same triangles and rays, through bare Embree: the
 /// share of its rate that is left after recentring, offsets and double precision.
@@ -67,69 +64,9 @@ const std::vector<SightSegment>& segments() {
     return all;
 }
 
-/// The same triangles in an Embree scene of their own.
-struct BareEmbree {
-    BareEmbree() : device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {
-        const auto& triangles = office().triangles;
-        RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
-            g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, 3 * triangles.size()));
-        auto* i = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
-        for (unsigned n = 0; const auto& t : triangles)
-            for (const Point3& p : t.corner) {
-                *v++ = static_cast<float>(p.x);
-                *v++ = static_cast<float>(p.y);
-                *v++ = static_cast<float>(p.z);
-                *i++ = n++;
-            }
-        rtcCommitGeometry(g);
-        rtcAttachGeometry(scene, g);
-        rtcReleaseGeometry(g);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
-        rtcCommitScene(scene);
-    }
-
-    ~BareEmbree() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-
-    BareEmbree(const BareEmbree&) = delete;
-    BareEmbree& operator=(const BareEmbree&) = delete;
-
-    RTCDevice device;
-    RTCScene scene;
-};
-
-const BareEmbree& bare() {
-    static const BareEmbree embree;
+const bench::BareEmbree& bare() {
+    static const bench::BareEmbree embree(office());
     return embree;
-}
-
-void occluded(RTCRay& ray) {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded1(bare().scene, &ray, nullptr);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(bare().scene, &context, &ray);
-#endif
-}
-
-void occluded(const int* valid, RTCRay16& rays) {
-#if RTC_VERSION_MAJOR >= 4
-    RTCOccludedArguments arguments;
-    rtcInitOccludedArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
-    rtcOccluded16(valid, bare().scene, &rays, &arguments);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded16(valid, bare().scene, &context, &rays);
-#endif
 }
 
 /// Rays prepared beforehand, so that only Embree's own time counts.
@@ -183,7 +120,7 @@ double run_bare_single() {
     static const auto rays = make_rays();
     double sum = 0.0;
     for (RTCRay r : rays) {
-        occluded(r);
+        bench::occluded(bare(), r);
         sum += r.tfar >= 0.0F ? 1.0 : 0.0;
     }
     return sum;
@@ -195,7 +132,7 @@ double run_bare_packets() {
     std::fill(std::begin(valid), std::end(valid), -1);
     double sum = 0.0;
     for (RTCRay16 p : packets) {
-        occluded(valid, p);
+        bench::occluded(bare(), valid, p);
         for (const float t : p.tfar)
             sum += t >= 0.0F ? 1.0 : 0.0;
     }

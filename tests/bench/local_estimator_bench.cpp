@@ -1,0 +1,143 @@
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "isolux/transport/direct_light.h"
+#include "isolux/transport/gather.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/path_tracer.h"
+
+#include "support/test_scene.h"
+
+/// The engine's hot loops in one room of 6 x 4 x 3 m with four panels: nanoseconds a
+/// vertex-point pair, a gather ray, a path.
+namespace isolux {
+namespace {
+
+const Scene& room() {
+    static const Scene scene = [] {
+        test::Builder b;
+        b.add_room(
+            {0, 0, 0}, {6, 4, 3}, b.add_diffuse(0.2), b.add_diffuse(0.7), b.add_diffuse(0.5));
+        for (const double x : {1.2, 4.2})
+            for (const double y : {0.7, 2.7})
+                b.add_panel({x, y, 2.99}, {0, 0.6, 0}, {0.6, 0, 0}, 4000);
+        return b.build();
+    }();
+    return scene;
+}
+
+const Emission& emission() {
+    static const Emission e(room());
+    return e;
+}
+
+const VertexCache& cache() {
+    static const VertexCache c = build_vertex_cache(
+        room(), emission(), PathRandomness(1, 0), 0, 4096, {4096.0, 8000.0, 4.0, 4.0});
+    return c;
+}
+
+Receiver receiver(benchmark::IterationCount i) {
+    return {{0.25 + 0.5 * static_cast<double>(i % 12), 1.7, 0.75}, UnitVector3({0, 0, 1})};
+}
+
+void unshadowed_kernel(benchmark::State& state) {
+    std::vector<float> u(cache().x.size());
+    benchmark::IterationCount i = 0;
+    for (auto _ : state) {
+        const Receiver r = receiver(i++);
+        evaluate_unshadowed(cache(), r, r.point, Weighting::balanced, u);
+        benchmark::DoNotOptimize(u.data());
+    }
+    state.counters["seconds a pair"] = benchmark::Counter(
+        static_cast<double>(cache().size()),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+BENCHMARK(unshadowed_kernel);
+
+void local_estimate_of_a_point(benchmark::State& state) {
+    std::vector<float> scratch;
+    benchmark::IterationCount i = 0;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(gather_local_estimate(
+            room(), cache(), receiver(i++), Weighting::balanced, 16, 0.37, scratch));
+}
+
+BENCHMARK(local_estimate_of_a_point);
+
+void gather_of_a_point(benchmark::State& state) {
+    const MirrorImages images(room());
+    std::uint64_t rays = 0;
+    benchmark::IterationCount i = 0;
+    for (auto _ : state) {
+        const PointRandomness random(
+            1, StreamPurpose::gather, 0, static_cast<std::uint64_t>(i));
+        benchmark::DoNotOptimize(gather_indirect(room(),
+                                                 emission(),
+                                                 images,
+                                                 cache(),
+                                                 {4096.0, 8000.0, 4.0, 4.0},
+                                                 receiver(i++),
+                                                 GatherPart::balanced,
+                                                 4,
+                                                 0,
+                                                 random,
+                                                 rays));
+    }
+    state.counters["rays/s"] =
+        benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(gather_of_a_point);
+
+void path_tracing_of_a_point(benchmark::State& state) {
+    const MirrorImages images(room());
+    std::uint64_t rays = 0;
+    benchmark::IterationCount i = 0;
+    for (auto _ : state) {
+        const PointRandomness random(
+            1, StreamPurpose::gather, 0, static_cast<std::uint64_t>(i));
+        benchmark::DoNotOptimize(
+            trace_indirect(room(), emission(), images, receiver(i++), 4, 0, random, rays));
+    }
+    state.counters["rays/s"] =
+        benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(path_tracing_of_a_point);
+
+void direct_of_a_point(benchmark::State& state) {
+    const MirrorImages images(room());
+    const DirectLight direct(room(), emission(), images);
+    std::vector<Rgb> result(16);
+    std::uint64_t rays = 0;
+    benchmark::IterationCount i = 0;
+    for (auto _ : state) {
+        direct.estimate(receiver(i), static_cast<std::uint64_t>(i), 1, 0, result, rays);
+        ++i;
+    }
+    state.counters["rays/s"] =
+        benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(direct_of_a_point);
+
+void light_path(benchmark::State& state) {
+    const PathRandomness random(1, 0);
+    std::vector<PathVertex> vertices;
+    std::uint64_t path = 0;
+    std::uint64_t rays = 0;
+    for (auto _ : state) {
+        vertices.clear();
+        rays += walk_light_path(room(), emission(), random, path++, vertices).rays;
+    }
+    state.counters["rays/s"] =
+        benchmark::Counter(static_cast<double>(rays), benchmark::Counter::kIsRate);
+}
+
+BENCHMARK(light_path);
+
+} // namespace
+} // namespace isolux
