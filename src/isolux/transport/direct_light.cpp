@@ -1,14 +1,15 @@
 #include "isolux/transport/direct_light.h"
 
-#include "isolux/base/polygon.h"
-#include "isolux/transport/local_estimator.h"
-#include "isolux/transport/response.h"
-
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 #include <vector>
+
+#include "isolux/base/polygon.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/response.h"
 
 namespace isolux {
 
@@ -18,7 +19,7 @@ namespace {
 /// below 1 / (4 x 40^2) = 0.016 % (METHODS "Point model").
 constexpr double point_like_ratio = 40.0;
 
-constexpr std::size_t pilot_rays = 8;         ///< per luminaire, to see whether it is wholly visible
+constexpr std::size_t pilot_rays = 8; ///< per luminaire, to see whether it is wholly visible
 constexpr std::size_t unshadowed_samples = 8; ///< per replicate, where no closed form exists
 constexpr std::size_t shadowed_samples = 4;   ///< per replicate, in a penumbra
 constexpr std::uint32_t pilot_replicate = 0xffffU;
@@ -33,12 +34,56 @@ Point3 evaluation_point(const Luminaire& l, const Receiver& receiver, const Poin
     if (distance(receiver.point, l.placement.world_from_luminaire.origin) < least_clearance)
         return clear;
     for (const Facet& facet : l.opening.facets) {
-        const double above =
-            dot(facet.normal, receiver.point - facet.vertices.front());
-        if (std::abs(above) < least_clearance) return clear;
+        const double above = dot(facet.normal, receiver.point - facet.vertices.front());
+        if (std::abs(above) < least_clearance)
+            return clear;
     }
     return receiver.point;
 }
+
+/// One point of an opening looked at from a receiver.
+struct Look {
+    EmissionPoint from;
+    UnitVector3 w;         ///< from the opening to the receiver
+    double response = 0.0; ///< R(w) / d2; 0 where the receiver looks away
+    Point3 departure;
+};
+
+/// A receiver and an opening: what the samples of one luminaire share.
+class OpeningLight {
+public:
+    OpeningLight(const Emission& emission,
+                 const Receiver& receiver,
+                 const Point3& at,
+                 std::size_t l)
+        : emission_(emission), receiver_(receiver), at_(at), view_(emission.view(l, at)) {}
+
+    [[nodiscard]] Look look(double u, double v) const noexcept {
+        Look k{view_.sample(u, v), {}, 0.0, {}};
+        const Vector3 d = at_ - k.from.position;
+        const double d2 = length_squared(d);
+        if (!(d2 > 0.0))
+            return k;
+        k.w = UnitVector3(d);
+        k.response = evaluate_response(receiver_, -k.w) / d2;
+        k.departure = emission_.departure(k.from, k.w);
+        return k;
+    }
+
+    /// Unshadowed illuminance of the look, over its density, lx.
+    [[nodiscard]] double value(const Look& k) const noexcept {
+        if (k.response <= 0.0)
+            return 0.0;
+        const double density = view_.pdf(k.from);
+        return density > 0.0 ? emission_.evaluate(k.from, k.w) * k.response / density : 0.0;
+    }
+
+private:
+    const Emission& emission_;
+    const Receiver& receiver_;
+    Point3 at_;
+    OpeningView view_;
+};
 
 } // namespace
 
@@ -61,36 +106,22 @@ struct DirectLight::Randomness {
 
     [[nodiscard]] Pair pair(std::uint32_t replicate) const noexcept {
         const RandomStream stream(seed, StreamPurpose::direct, replicate);
-        const auto d = static_cast<std::uint32_t>(2 * (luminaire + 4096 * chain));
+        const auto d = static_cast<std::uint32_t>(2 * (luminaire + (chain << 20U)));
         return {stream.bits(receiver, d), stream.bits(receiver, d + 1)};
     }
 };
 
-DirectLight::DirectLight(const Scene& scene, const Emission& emission, const MirrorImages& images)
+DirectLight::DirectLight(const Scene& scene,
+                         const Emission& emission,
+                         const MirrorImages& images)
     : scene_(&scene), emission_(&emission), images_(&images) {}
 
 bool DirectLight::is_point_like(std::size_t luminaire, const Point3& at) const noexcept {
     const Luminaire& l = emission_->luminaire(luminaire);
-    if (l.opening.form == OpeningForm::point) return true;
+    if (l.opening.form == OpeningForm::point)
+        return true;
     const double reach = point_like_ratio * l.opening.largest_dimension;
     return length_squared(at - l.placement.world_from_luminaire.origin) > reach * reach;
-}
-
-DirectLight::Term DirectLight::unshadowed(const Receiver& receiver,
-                                          const Point3& at,
-                                          std::size_t luminaire,
-                                          double u,
-                                          double v) const noexcept {
-    const TowardsSample sample = emission_->sample_opening(luminaire, at, u, v);
-    if (!(sample.density > 0.0)) return {};
-    const Vector3 d = at - sample.from.position;
-    const double d2 = length_squared(d);
-    if (!(d2 > 0.0)) return {};
-    const UnitVector3 w(d);
-    const double response = evaluate_response(receiver, -w);
-    if (response <= 0.0) return {};
-    const double value = emission_->evaluate(sample.from, w) * response / (d2 * sample.density);
-    return {value, emission_->departure(sample.from, w)};
 }
 
 void DirectLight::add_opening(const Receiver& receiver,
@@ -103,33 +134,32 @@ void DirectLight::add_opening(const Receiver& receiver,
     const LuminaireType& type = scene_->type_of(l);
     const Rgb colour = emission_->colour(luminaire);
     const Point3 at = evaluation_point(l, receiver, clear);
+    const OpeningLight light(*emission_, receiver, at, luminaire);
     std::array<SightSegment, packet_size> segments;
-    std::array<double, packet_size> values{};
+    std::array<Look, packet_size> looks_at;
     std::array<float, packet_size> visible{};
 
     // Pilot: which share of the opening is visible. It only steers.
     const auto pilot = randomness.pair(pilot_replicate);
-    double pilot_sum = 0.0;
-    double pilot_visible = 0.0;
     std::uint32_t wanted = 0;
     for (std::uint32_t i = 0; i < pilot_rays; ++i) {
         const auto [u, v] = pilot(i);
-        const Term t = unshadowed(receiver, at, luminaire, u, v);
-        values[i] = t.value;
-        segments[i] = {clear, t.departure};
-        if (t.value > 0.0) wanted |= 1U << i;
+        const Look k = light.look(u, v);
+        segments[i] = {clear, k.departure};
+        if (k.response > 0.0)
+            wanted |= 1U << i;
     }
     if (wanted != 0) {
-        scene_->caster.transmittance16(std::span(segments).first(pilot_rays), wanted,
+        scene_->caster.transmittance16(std::span(segments).first(pilot_rays),
+                                       wanted,
                                        std::span(visible).first(pilot_rays));
         rays += pilot_rays;
     }
-    for (std::uint32_t i = 0; i < pilot_rays; ++i) {
-        if ((wanted >> i & 1U) == 0) continue;
-        pilot_sum += values[i];
-        pilot_visible += values[i] * static_cast<double>(visible[i]);
-    }
-    const double beta = pilot_sum > 0.0 ? pilot_visible / pilot_sum : 0.0;
+    double seen = 0.0;
+    for (std::uint32_t i = 0; i < pilot_rays; ++i)
+        if ((wanted >> i & 1U) != 0)
+            seen += static_cast<double>(visible[i]);
+    const double beta = wanted != 0 ? seen / static_cast<double>(std::popcount(wanted)) : 0.0;
     const bool is_mixed = beta > 0.0 && beta < 1.0;
     const std::size_t looks = is_mixed ? shadowed_samples : 1;
 
@@ -143,7 +173,8 @@ void DirectLight::add_opening(const Receiver& receiver,
             const double luminance = in_lumen(l.flux) / (std::numbers::pi * facet.area);
             exact = luminance * projected_solid_angle(facet.vertices, at, receiver.axis);
         }
-        if (exact <= 0.0) return;
+        if (exact <= 0.0)
+            return;
     }
 
     // Replicates: beta x unshadowed + (1/looks) sum of c (V - beta); rays of several replicates
@@ -158,21 +189,19 @@ void DirectLight::add_opening(const Receiver& receiver,
             const auto numbers = randomness.pair(static_cast<std::uint32_t>(r));
             const std::size_t samples =
                 is_analytic || beta == 0.0 ? looks : std::max(looks, unshadowed_samples);
-            // Units go on along the sequence without gaps, else they would never see some strata.
-            const auto first = static_cast<std::uint32_t>(randomness.unit * samples);
-            const auto first_look = static_cast<std::uint32_t>(randomness.unit * looks);
+            const auto first = static_cast<std::uint32_t>(randomness.unit * unshadowed_samples);
             double sum = 0.0;
-            if (!is_analytic && beta > 0.0)
-                for (std::uint32_t i = 0; i < samples; ++i) {
-                    const auto [u, v] = numbers(first + i);
-                    sum += unshadowed(receiver, at, luminaire, u, v).value;
-                }
-            for (std::uint32_t i = 0; i < looks; ++i) {
-                const auto [u, v] = numbers(first_look + i);
-                const Term t = unshadowed(receiver, at, luminaire, u, v);
-                values[n] = t.value;
-                segments[n] = {clear, t.departure};
-                if (t.value > 0.0) wanted |= 1U << n;
+            for (std::uint32_t i = 0; i < samples; ++i) {
+                const auto [u, v] = numbers(first + i);
+                const Look k = light.look(u, v);
+                if (!is_analytic && beta > 0.0)
+                    sum += light.value(k);
+                if (i >= looks)
+                    continue;
+                looks_at[n] = k;
+                segments[n] = {clear, k.departure};
+                if (k.response > 0.0)
+                    wanted |= 1U << n;
                 ++n;
             }
             base[r - r0] = beta * (is_analytic ? exact : sum / static_cast<double>(samples));
@@ -184,9 +213,11 @@ void DirectLight::add_opening(const Receiver& receiver,
         }
         for (std::size_t r = r0; r < r1; ++r) {
             double sum = 0.0;
-            for (std::size_t k = (r - r0) * looks; k < (r - r0 + 1) * looks; ++k)
-                if ((wanted >> k & 1U) != 0)
-                    sum += values[k] * (static_cast<double>(visible[k]) - beta);
+            for (std::size_t k = (r - r0) * looks; k < (r - r0 + 1) * looks; ++k) {
+                const double difference = static_cast<double>(visible[k]) - beta;
+                if ((wanted >> k & 1U) != 0 && difference != 0.0)
+                    sum += light.value(looks_at[k]) * difference;
+            }
             result[r] += (base[r - r0] + sum / static_cast<double>(looks)) * colour;
         }
     }
@@ -197,11 +228,17 @@ void DirectLight::add_images(const Receiver& receiver,
                              const Randomness& randomness,
                              std::span<Rgb> result,
                              std::uint64_t& rays) const {
-    const auto contribution = [&](const std::vector<std::uint32_t>& chain, const TowardsSample& s) {
-        if (!(s.density > 0.0)) return 0.0;
-        const ImageLight light =
-            trace_image(*scene_, *emission_, *images_, chain, at, s, rays);
-        if (light.strength <= 0.0) return 0.0;
+    const auto contribution = [&](const std::vector<std::uint32_t>& chain,
+                                  const OpeningView& view,
+                                  double u,
+                                  double v) {
+        const EmissionPoint from = view.sample(u, v);
+        const TowardsSample s{from, view.pdf(from)};
+        if (!(s.density > 0.0))
+            return 0.0;
+        const ImageLight light = trace_image(*scene_, *emission_, *images_, chain, at, s, rays);
+        if (light.strength <= 0.0)
+            return 0.0;
         return light.strength * evaluate_response(receiver, light.arrival) / s.density;
     };
     const auto& chains = images_->chains();
@@ -210,11 +247,12 @@ void DirectLight::add_images(const Receiver& receiver,
         for (std::size_t l = 0; l < emission_->luminaires(); ++l) {
             const Rgb colour = emission_->colour(l);
             if (emission_->luminaire(l).opening.form == OpeningForm::point) {
-                const double e =
-                    contribution(chains[c], emission_->sample_opening(l, image, 0.5, 0.5));
-                for (Rgb& r : result) r += e * colour;
+                const double e = contribution(chains[c], emission_->view(l, image), 0.5, 0.5);
+                for (Rgb& r : result)
+                    r += e * colour;
                 continue;
             }
+            const OpeningView view = emission_->view(l, image);
             Randomness own = randomness;
             own.luminaire = l;
             own.chain = c + 1;
@@ -222,9 +260,9 @@ void DirectLight::add_images(const Receiver& receiver,
                 const auto numbers = own.pair(static_cast<std::uint32_t>(r));
                 double sum = 0.0;
                 for (std::uint32_t i = 0; i < shadowed_samples; ++i) {
-                    const auto [u, v] =
-                        numbers(static_cast<std::uint32_t>(randomness.unit * shadowed_samples) + i);
-                    sum += contribution(chains[c], emission_->sample_opening(l, image, u, v));
+                    const auto [u, v] = numbers(
+                        static_cast<std::uint32_t>(randomness.unit * shadowed_samples) + i);
+                    sum += contribution(chains[c], view, u, v);
                 }
                 result[r] += (sum / static_cast<double>(shadowed_samples)) * colour;
             }
@@ -239,7 +277,8 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::span<Rgb> result,
                            std::uint64_t& rays) const {
     std::fill(result.begin(), result.end(), Rgb{});
-    if (emission_->total_flux() <= 0.0) return;
+    if (emission_->total_flux() <= 0.0)
+        return;
     const Point3 clear = clear_point(*scene_, receiver);
     Randomness randomness{seed, receiver_index, unit};
 
@@ -250,11 +289,13 @@ void DirectLight::estimate(const Receiver& receiver,
     std::size_t n = 0;
     Rgb exact;
     const auto flush = [&] {
-        if (n == 0) return;
-        scene_->caster.transmittance16(std::span(segments).first(n), (1U << n) - 1U,
-                                       std::span(visible).first(n));
+        if (n == 0)
+            return;
+        scene_->caster.transmittance16(
+            std::span(segments).first(n), (1U << n) - 1U, std::span(visible).first(n));
         rays += n;
-        for (std::size_t i = 0; i < n; ++i) exact += static_cast<double>(visible[i]) * values[i];
+        for (std::size_t i = 0; i < n; ++i)
+            exact += static_cast<double>(visible[i]) * values[i];
         n = 0;
     };
     for (std::size_t l = 0; l < emission_->luminaires(); ++l) {
@@ -268,24 +309,30 @@ void DirectLight::estimate(const Receiver& receiver,
         const Point3 centre = luminaire.placement.world_from_luminaire.origin;
         const UnitVector3 w(at - centre);
         const double response = evaluate_response(receiver, -w);
-        if (response <= 0.0) continue;
+        if (response <= 0.0)
+            continue;
         const Frame& frame = luminaire.placement.world_from_luminaire;
         const double intensity =
             luminaire.placement.scale
             * in_candela(luminous_intensity(scene_->type_of(luminaire),
                                             UnitVector3::from_unit(frame.vector_to_local(w))));
-        if (intensity <= 0.0) continue;
+        if (intensity <= 0.0)
+            continue;
         values[n] = (intensity * response / length_squared(at - centre)) * emission_->colour(l);
         const EmissionPoint from{l, 0, centre};
-        segments[n] = {clear, luminaire.opening.form == OpeningForm::solid
-                               ? emission_->sample_opening(l, at, 0.5, 0.5).from.position
-                               : emission_->departure(from, w)};
-        if (++n == packet_size) flush();
+        segments[n] = {clear,
+                       luminaire.opening.form == OpeningForm::solid
+                           ? emission_->view(l, at).sample(0.5, 0.5).position
+                           : emission_->departure(from, w)};
+        if (++n == packet_size)
+            flush();
     }
     flush();
-    for (Rgb& r : result) r += exact;
+    for (Rgb& r : result)
+        r += exact;
 
-    if (!images_->chains().empty()) add_images(receiver, clear, randomness, result, rays);
+    if (!images_->chains().empty())
+        add_images(receiver, clear, randomness, result, rays);
 }
 
 } // namespace isolux

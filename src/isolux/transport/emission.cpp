@@ -1,6 +1,7 @@
 #include "isolux/transport/emission.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -27,10 +28,6 @@ bool is_rectangular(const Facet& f) noexcept {
     const Vector3 closing = (f.vertices[2] - f.vertices[0]) - (a + b);
     const double scale = length(a) + length(b);
     return std::abs(dot(a, b)) < 1e-9 * scale * scale && length(closing) < 1e-9 * scale;
-}
-
-SphericalRectangle seen_from(const Facet& f, const Point3& place) noexcept {
-    return {f.vertices[0], f.vertices[1] - f.vertices[0], f.vertices[3] - f.vertices[0], place};
 }
 
 /// Area that all facets together show towards w.
@@ -73,8 +70,6 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
         s.radius_squared = 0.25 * l.opening.largest_dimension * l.opening.largest_dimension;
         for (const Facet& f : l.opening.facets)
             s.area += f.area;
-        s.is_rectangle =
-            l.opening.form == OpeningForm::flat && is_rectangular(l.opening.facets.front());
         total_flux_ += s.flux;
         cumulative_flux_.push_back(total_flux_);
         sources_.push_back(s);
@@ -142,24 +137,28 @@ double Emission::pick_weight(std::size_t luminaire, const Point3& place) const n
     return s.flux / (length_squared(place - s.centre) + s.radius_squared + 1e-4);
 }
 
-std::size_t Emission::pick_luminaire(const Point3& place, double u) const noexcept {
-    if (!picks_by_distance_)
-        return sample_cumulative(cumulative_flux_, u).index;
+Emission::Pick Emission::pick_luminaire(const Point3& place, double u) const noexcept {
+    if (!picks_by_distance_) {
+        const std::size_t l = sample_cumulative(cumulative_flux_, u).index;
+        return {l, sources_[l].flux / total_flux_};
+    }
+    std::array<double, few_luminaires> weights;
     double sum = 0.0;
-    for (std::size_t i = 0; i < sources_.size(); ++i)
-        sum += pick_weight(i, place);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+        weights[i] = pick_weight(i, place);
+        sum += weights[i];
+    }
     double rest = u * sum;
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
-        const double weight = pick_weight(i, place);
-        if (weight <= 0.0)
+        if (weights[i] <= 0.0)
             continue;
         chosen = i;
-        if (rest < weight)
+        if (rest < weights[i])
             break;
-        rest -= weight;
+        rest -= weights[i];
     }
-    return chosen;
+    return {chosen, weights[chosen] / sum};
 }
 
 double Emission::pick_probability(std::size_t luminaire, const Point3& place) const noexcept {
@@ -171,31 +170,47 @@ double Emission::pick_probability(std::size_t luminaire, const Point3& place) co
     return pick_weight(luminaire, place) / sum;
 }
 
-TowardsSample Emission::sample_opening(std::size_t luminaire,
-                                       const Point3& place,
-                                       double u,
-                                       double v) const noexcept {
-    const Opening& opening = scene_->luminaires[luminaire].opening;
-    EmissionPoint from{luminaire, 0, sources_[luminaire].centre};
-    if (opening.form == OpeningForm::flat) {
-        const Facet& facet = opening.facets[0];
-        const double omega =
-            sources_[luminaire].is_rectangle ? seen_from(facet, place).solid_angle() : 0.0;
-        if (omega > large_solid_angle && u >= 0.5)
-            from.position = seen_from(facet, place).sample(2.0 * u - 1.0, v);
-        else
-            from.position =
-                sample_polygon(facet.vertices, omega > large_solid_angle ? 2.0 * u : u, v);
-    } else if (opening.form == OpeningForm::solid) {
-        double sum = 0.0;
+OpeningView::OpeningView(const Luminaire& of,
+                         std::size_t luminaire,
+                         const Point3& place) noexcept
+    : of_(&of), luminaire_(luminaire), place_(place) {
+    const Opening& opening = of.opening;
+    if (opening.form == OpeningForm::solid)
         for (const Facet& f : opening.facets)
-            sum += facet_weight(f, place);
-        if (!(sum > 0.0))
-            return {from, 0.0};
-        double rest = u * sum;
+            weights_ += facet_weight(f, place);
+    if (opening.form != OpeningForm::flat)
+        return;
+    // The solid angle is below area / (distance to the nearest point)^2: far away no need to
+    // ask.
+    const Facet& facet = opening.facets.front();
+    const double away = distance(place, of.placement.world_from_luminaire.origin)
+                        - 0.5 * opening.largest_dimension;
+    if (away > 0.0 && facet.area <= large_solid_angle * away * away)
+        return;
+    if (!is_rectangular(facet))
+        return;
+    const SphericalRectangle rectangle(facet.vertices[0],
+                                       facet.vertices[1] - facet.vertices[0],
+                                       facet.vertices[3] - facet.vertices[0],
+                                       place);
+    if (rectangle.solid_angle() > large_solid_angle)
+        rectangle_ = rectangle;
+}
+
+EmissionPoint OpeningView::sample(double u, double v) const noexcept {
+    const Opening& opening = of_->opening;
+    EmissionPoint from{luminaire_, 0, of_->placement.world_from_luminaire.origin};
+    if (opening.form == OpeningForm::flat) {
+        const Facet& facet = opening.facets.front();
+        if (rectangle_ && u >= 0.5)
+            from.position = rectangle_->sample(2.0 * u - 1.0, v);
+        else
+            from.position = sample_polygon(facet.vertices, rectangle_ ? 2.0 * u : u, v);
+    } else if (opening.form == OpeningForm::solid && weights_ > 0.0) {
+        double rest = u * weights_;
         double stretched = 0.0;
         for (std::size_t f = 0; f < opening.facets.size(); ++f) {
-            const double weight = facet_weight(opening.facets[f], place);
+            const double weight = facet_weight(opening.facets[f], place_);
             if (weight <= 0.0)
                 continue;
             from.facet = f;
@@ -206,42 +221,36 @@ TowardsSample Emission::sample_opening(std::size_t luminaire,
         }
         from.position = sample_polygon(opening.facets[from.facet].vertices, stretched, v);
     }
-    return {from, pdf_opening(place, from)};
+    return from;
 }
 
-double Emission::pdf_opening(const Point3& place, const EmissionPoint& from) const noexcept {
-    const Source& s = sources_[from.luminaire];
-    const Opening& opening = scene_->luminaires[from.luminaire].opening;
+double OpeningView::pdf(const EmissionPoint& from) const noexcept {
+    const Opening& opening = of_->opening;
     if (opening.form == OpeningForm::point)
         return 1.0;
     const Facet& facet = opening.facets[from.facet];
-    if (opening.form == OpeningForm::solid) {
-        double sum = 0.0;
-        for (const Facet& f : opening.facets)
-            sum += facet_weight(f, place);
-        return sum > 0.0 ? facet_weight(facet, place) / (sum * facet.area) : 0.0;
-    }
-    const double omega = s.is_rectangle ? seen_from(facet, place).solid_angle() : 0.0;
-    if (!(omega > large_solid_angle))
-        return 1.0 / s.area;
-    const Vector3 d = from.position - place;
+    if (opening.form == OpeningForm::solid)
+        return weights_ > 0.0 ? facet_weight(facet, place_) / (weights_ * facet.area) : 0.0;
+    if (!rectangle_)
+        return 1.0 / facet.area;
+    const Vector3 d = from.position - place_;
     const double d2 = length_squared(d);
     const double cosine = std::abs(dot(facet.normal, d)) / std::sqrt(d2);
-    return 0.5 * (1.0 / s.area + cosine / (omega * d2));
+    return 0.5 * (1.0 / facet.area + cosine / (rectangle_->solid_angle() * d2));
 }
 
 TowardsSample Emission::sample_towards(const Point3& place,
                                        double u_luminaire,
                                        double u,
                                        double v) const noexcept {
-    const std::size_t l = pick_luminaire(place, u_luminaire);
-    TowardsSample sample = sample_opening(l, place, u, v);
-    sample.density *= pick_probability(l, place);
-    return sample;
+    const Pick pick = pick_luminaire(place, u_luminaire);
+    const OpeningView opening = view(pick.luminaire, place);
+    const EmissionPoint from = opening.sample(u, v);
+    return {from, pick.probability * opening.pdf(from)};
 }
 
 double Emission::pdf_towards(const Point3& place, const EmissionPoint& from) const noexcept {
-    return pick_probability(from.luminaire, place) * pdf_opening(place, from);
+    return pick_probability(from.luminaire, place) * view(from.luminaire, place).pdf(from);
 }
 
 double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const noexcept {

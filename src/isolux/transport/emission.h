@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "isolux/sampling/warp.h"
 #include "isolux/scene/scene.h"
 #include "isolux/transport/table_sampler.h"
 
@@ -29,6 +30,29 @@ struct TowardsSample {
     double density = 0.0;
 };
 
+/// One luminaire's opening as a place sees it: what it takes to draw points of it, worked out
+/// once.
+class OpeningView {
+public:
+    /// @param luminaire  number of `of` in its scene
+    OpeningView(const Luminaire& of, std::size_t luminaire, const Point3& place) noexcept;
+
+    /// A point of the opening for the light that falls on the place: uniform on the area; near
+    /// flat rectangles half of the points evenly in solid angle; on a solid opening only the
+    /// facets that face the place.
+    [[nodiscard]] EmissionPoint sample(double u, double v) const noexcept;
+
+    /// Density of sample(), per m2 (1 for a point source); 0 if no light can come.
+    [[nodiscard]] double pdf(const EmissionPoint& from) const noexcept;
+
+private:
+    const Luminaire* of_;
+    std::size_t luminaire_;
+    Point3 place_;
+    std::optional<SphericalRectangle> rectangle_; ///< where it is worth it
+    double weights_ = 0.0;                        ///< solid openings: sum over the facets
+};
+
 /// All luminaires of a scene as sources of light: METHODS "Luminaires", "The Markov chain" 1-3.
 /// Refers to the scene, which must outlive it.
 class Emission {
@@ -53,18 +77,9 @@ public:
                                                  double u_direction,
                                                  double v_direction) const noexcept;
 
-    /// A point of one luminaire's opening for the light that falls on `place`: uniform on the
-    /// area; near flat rectangles half of the points evenly in solid angle; on a solid opening
-    /// only the facets that face `place`. The density is per m2 (1 for a point source), 0 if no
-    /// light can come.
-    [[nodiscard]] TowardsSample sample_opening(std::size_t luminaire,
-                                               const Point3& place,
-                                               double u,
-                                               double v) const noexcept;
-
-    /// Density of sample_opening for a given emission point, per m2 (1 for a point source).
-    [[nodiscard]] double pdf_opening(const Point3& place,
-                                     const EmissionPoint& from) const noexcept;
+    [[nodiscard]] OpeningView view(std::size_t luminaire, const Point3& place) const noexcept {
+        return {scene_->luminaires[luminaire], luminaire, place};
+    }
 
     /// A point on some luminaire for the light that falls on `place`. Luminaires are picked by
     /// flux over squared distance where they are few, by flux where they are many.
@@ -88,7 +103,13 @@ public:
 
 private:
     [[nodiscard]] double pick_weight(std::size_t luminaire, const Point3& place) const noexcept;
-    [[nodiscard]] std::size_t pick_luminaire(const Point3& place, double u) const noexcept;
+
+    struct Pick {
+        std::size_t luminaire = 0;
+        double probability = 0.0;
+    };
+
+    [[nodiscard]] Pick pick_luminaire(const Point3& place, double u) const noexcept;
     [[nodiscard]] double pick_probability(std::size_t luminaire,
                                           const Point3& place) const noexcept;
     [[nodiscard]] EmissionPoint place_on_solid(std::size_t luminaire,
@@ -103,7 +124,6 @@ private:
         double area = 0.0;                   ///< m2 of all facets
         Point3 centre;
         double radius_squared = 0.0;
-        bool is_rectangle = false;
     };
 
     const Scene* scene_;
