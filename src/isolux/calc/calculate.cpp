@@ -1,6 +1,7 @@
 #include "isolux/calc/calculate.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -18,11 +19,13 @@ namespace {
 /// Independent randomised replicates behind every error bar (METHODS eq. (15)).
 constexpr std::size_t replicates = 16;
 
-/// The pilot: other replicates and other units than the run itself, so that it only steers.
+/// Fewer than this carry no error bar worth the name; an interrupted run then has no result.
+constexpr std::size_t fewest_replicates = 4;
+
+/// The pilot: other replicates than the run itself, so that it only steers.
 constexpr std::size_t pilot_points = 64;
 constexpr std::size_t pilot_replicates = 8;
 constexpr std::uint32_t first_pilot_replicate = 1000;
-constexpr std::uint32_t pilot_unit = 1U << 20U;
 
 /// The first check comes no later than after this many units.
 constexpr std::size_t most_first_units = 256;
@@ -81,9 +84,9 @@ private:
         std::vector<RayCounts> rays(points);
         for_each_index(points, 4, [&](std::size_t p) {
             engine_.estimate_direct(
-                receivers_[p * step],
                 p * step,
-                pilot_unit,
+                0,
+                first_pilot_replicate,
                 std::span(values).subspan(p * pilot_replicates, pilot_replicates),
                 rays[p]);
         });
@@ -94,8 +97,7 @@ private:
                     engine_.needs_paths() ? engine_.build_cache(replicate, 0) : VertexCache{};
                 for_each_index(points, 4, [&](std::size_t p) {
                     double e = 0.0;
-                    engine_.estimate_indirect(
-                        cache, receivers_, p * step, replicate, 0, {&e, 1}, rays[p]);
+                    engine_.estimate_indirect(cache, p * step, replicate, 0, {&e, 1}, rays[p]);
                     values[p * pilot_replicates + r] += e;
                 });
             }
@@ -138,13 +140,18 @@ private:
         std::vector<std::vector<double>> indirect(active.size());
         std::vector<RayCounts> rays(active.size());
 
+        std::atomic<bool> cut_short = false;
         for_each_index(active.size(), 1, [&](std::size_t a) {
+            if (cut_short || must_stop()) {
+                cut_short = true;
+                return;
+            }
             estimate_direct_tile(sums_.tiles()[active[a]], unit, direct[a], rays[a]);
             indirect[a].assign(direct[a].size(), 0.0);
         });
         std::vector<ReplicateFlux> flux(replicates);
         std::size_t complete = 0;
-        for (; complete < replicates && !must_stop(); ++complete) {
+        for (; complete < replicates && !cut_short && !must_stop(); ++complete) {
             if (settings_.direct_only)
                 continue;
             const auto r = static_cast<std::uint32_t>(complete);
@@ -157,7 +164,6 @@ private:
                 const Accumulator::Tile& tile = sums_.tiles()[active[a]];
                 engine_.estimate_indirect(
                     cache,
-                    receivers_,
                     tile.first,
                     r,
                     unit,
@@ -171,13 +177,15 @@ private:
         for (const RayCounts& c : rays) {
             rays_.shadow += c.shadow;
             rays_.gather += c.gather;
+            rays_.degenerate += c.degenerate;
         }
         if (complete < replicates) {
             interrupted_ = true;
-            // Later units are dropped whole; of the first one the complete replicates stand.
+            // Later units are dropped whole; of the first one the complete replicates stand, if
+            // they are enough for an error.
             if (unit > 0)
                 return false;
-            sums_.keep_replicates(complete);
+            sums_.keep_replicates(complete < fewest_replicates ? 0 : complete);
         }
         for (std::size_t a = 0; a < active.size(); ++a)
             sums_.add_unit(sums_.tiles()[active[a]], direct[a], indirect[a]);
@@ -195,7 +203,7 @@ private:
         std::vector<double> values(replicates);
         for (std::size_t p = 0; p < tile.points; ++p) {
             const std::size_t index = tile.first + p;
-            engine_.estimate_direct(receivers_[index], index, unit, values, rays);
+            engine_.estimate_direct(index, unit, 0, values, rays);
             for (std::size_t r = 0; r < replicates; ++r)
                 direct[r * tile.points + p] = values[r];
         }
@@ -333,6 +341,16 @@ private:
         results.paths = paths_;
         results.estimator = engine_.describe();
         results.confidence = settings_.confidence;
+        if (rays_.degenerate > 0)
+            results.notices.push_back(
+                {"calculation",
+                 std::to_string(rays_.degenerate) + " degenerate samples counted as zero",
+                 "Is a luminaire, a point or a surface of no size in the project?"});
+        if (results.replicates == 0)
+            results.notices.push_back(
+                {"calculation",
+                 "stopped before the first results (too few replicates for an error)",
+                 "Give it more time?"});
         return results;
     }
 

@@ -20,6 +20,9 @@ constexpr std::uint32_t pilot_replicate = 0xfffffeU;
 /// METHODS "Edges": nearer to the second surface than this times sqrt(A / M) a point is traced.
 constexpr double edge_factor = 0.4;
 
+/// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
+constexpr double widest_edge = 0.5;
+
 /// A receiver this near to a foreign surface is flagged, m.
 constexpr double too_near = 1e-3;
 
@@ -38,15 +41,40 @@ std::size_t directions_for(std::size_t points, std::size_t paths) {
         std::bit_floor(paths / std::max<std::size_t>(points, 1)), 4, 64);
 }
 
+/// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
+double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
+    const double lux = luminance_sum(e);
+    if (std::isfinite(lux))
+        return lux;
+    ++rays.degenerate;
+    return 0.0;
+}
+
+/// Receivers that lie on a surface are moved off it when the estimators' own offset along a
+/// plane's normal would not do: bodies without a normal, and planes at right angles to the
+/// surface.
+Point3 moved_off(const Receiver& receiver, const SurfaceDistances& d) noexcept {
+    constexpr double on_surface = 1e-5;
+    constexpr double clear = 4e-5;
+    if (d.nearest > on_surface)
+        return receiver.point;
+    const double along = dot(receiver.axis, d.nearest_normal);
+    if (receiver.kind == IlluminanceKind::planar && std::abs(along) > 0.5)
+        return receiver.point;
+    const bool looks_back = receiver.kind != IlluminanceKind::mean_spherical && along < -1e-6;
+    return receiver.point + (looks_back ? -clear : clear) * Vector3(d.nearest_normal);
+}
+
 } // namespace
 
 Engine::Engine(const Scene& scene, const Settings& settings)
     : scene_(&scene), settings_(settings), emission_(scene), images_(scene),
       direct_(scene, emission_, images_) {}
 
-void Engine::prepare(std::span<const Receiver> receivers) {
-    effort_.paths = paths_for(receivers.size());
-    effort_.directions = directions_for(receivers.size(), effort_.paths);
+void Engine::prepare(std::vector<Receiver> receivers) {
+    receivers_ = std::move(receivers);
+    effort_.paths = paths_for(receivers_.size());
+    effort_.directions = directions_for(receivers_.size(), effort_.paths);
 
     // Mean number of vertices of a path: a constant of the run, never a replicate's own count.
     double vertices_per_path = 1.0;
@@ -65,13 +93,16 @@ void Engine::prepare(std::span<const Receiver> receivers) {
     counts_ = {paths, paths * vertices_per_path, directions, directions};
 
     // Which points are traced instead: a matter of geometry only, so it biases nothing.
-    estimators_.assign(receivers.size(), PointEstimator::mis);
-    near_surface_.assign(receivers.size(), 0);
-    const double edge = edge_factor * std::sqrt(scene_->total_area / paths);
-    for_each_index(receivers.size(), 64, [&](std::size_t i) {
+    estimators_.assign(receivers_.size(), PointEstimator::mis);
+    near_surface_.assign(receivers_.size(), 0);
+    const double edge =
+        std::min(widest_edge, edge_factor * std::sqrt(scene_->total_area / paths));
+    for_each_index(receivers_.size(), 64, [&](std::size_t i) {
+        Receiver& receiver = receivers_[i];
         const SurfaceDistances d = scene_->caster.find_nearest_surfaces(
-            receivers[i].point, std::max(edge, 2.0 * too_near));
+            receiver.point, std::max(edge, 2.0 * too_near));
         near_surface_[i] = d.second < too_near ? 1 : 0;
+        receiver.point = moved_off(receiver, d);
         switch (settings_.estimator) {
         case Estimator::local_estimation:
             estimators_[i] = PointEstimator::local;
@@ -103,7 +134,6 @@ VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) con
 }
 
 void Engine::estimate_indirect(const VertexCache& cache,
-                               std::span<const Receiver> receivers,
                                std::size_t first,
                                std::uint32_t replicate,
                                std::uint32_t unit,
@@ -113,7 +143,7 @@ void Engine::estimate_indirect(const VertexCache& cache,
     const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
     for (std::size_t i = 0; i < result.size(); ++i) {
         const std::size_t index = first + i;
-        const Receiver& receiver = receivers[index];
+        const Receiver& receiver = receivers_[index];
         const PointRandomness random(settings_.seed, StreamPurpose::gather, replicate, index);
         Rgb e;
         if (estimators_[index] == PointEstimator::path_tracing) {
@@ -148,23 +178,21 @@ void Engine::estimate_indirect(const VertexCache& cache,
                                      random,
                                      rays.gather);
         }
-        const double lux = luminance_sum(e);
-        result[i] = std::isfinite(lux) ? lux : 0.0;
+        result[i] = finite_lux(e, rays);
     }
 }
 
-void Engine::estimate_direct(const Receiver& receiver,
-                             std::size_t index,
+void Engine::estimate_direct(std::size_t index,
                              std::uint32_t unit,
+                             std::uint32_t first_replicate,
                              std::span<double> result,
                              RayCounts& rays) const {
     thread_local std::vector<Rgb> values;
     values.resize(result.size());
-    direct_.estimate(receiver, index, settings_.seed, unit, values, rays.shadow);
-    for (std::size_t r = 0; r < result.size(); ++r) {
-        const double lux = luminance_sum(values[r]);
-        result[r] = std::isfinite(lux) ? lux : 0.0;
-    }
+    direct_.estimate(
+        receivers_[index], index, settings_.seed, unit, first_replicate, values, rays.shadow);
+    for (std::size_t r = 0; r < result.size(); ++r)
+        result[r] = finite_lux(values[r], rays);
 }
 
 std::string Engine::describe() const {

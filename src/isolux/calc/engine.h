@@ -38,8 +38,10 @@ public:
 
     [[nodiscard]] const Emission& emission() const noexcept { return emission_; }
 
-    /// Fixes effort and the constants of METHODS eq. (11) from a pilot of a few paths.
-    void prepare(std::span<const Receiver> receivers);
+    /// Takes the receivers, and fixes effort and the constants of METHODS eq. (11) from a pilot
+    /// of a few paths. A receiver that lies on a surface and does not look away from it is
+    /// moved off it.
+    void prepare(std::vector<Receiver> receivers);
 
     [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
 
@@ -57,17 +59,16 @@ public:
 
     /// Indirect illuminance of receivers [first, first + result.size()), lx.
     void estimate_indirect(const VertexCache& cache,
-                           std::span<const Receiver> receivers,
                            std::size_t first,
                            std::uint32_t replicate,
                            std::uint32_t unit,
                            std::span<double> result,
                            RayCounts& rays) const;
 
-    /// Direct illuminance of one receiver for all replicates, lx.
-    void estimate_direct(const Receiver& receiver,
-                         std::size_t index,
+    /// Direct illuminance of one receiver for replicates from `first_replicate` on, lx.
+    void estimate_direct(std::size_t index,
                          std::uint32_t unit,
+                         std::uint32_t first_replicate,
                          std::span<double> result,
                          RayCounts& rays) const;
 
@@ -84,6 +85,7 @@ private:
     DirectLight direct_;
     Effort effort_;
     EffectiveCounts counts_;
+    std::vector<Receiver> receivers_;
     std::vector<PointEstimator> estimators_;
     std::vector<std::uint8_t> near_surface_;
     bool needs_paths_ = true;

@@ -40,6 +40,7 @@ struct RayCounts {
     std::uint64_t path = 0;
     std::uint64_t shadow = 0;
     std::uint64_t gather = 0;
+    std::uint64_t degenerate = 0; ///< values that were no number and count as 0
 };
 
 struct Results {
@@ -51,10 +52,11 @@ struct Results {
     bool converged = false;   ///< every surface is within the tolerance
     bool interrupted = false; ///< stopped by the user or by the time limit
     std::uint64_t replicates = 0;
-    std::uint64_t units = 0;  ///< complete units of work; a closed tile took part in fewer
-    std::uint64_t paths = 0;  ///< light paths walked in all
-    std::string estimator;    ///< in words, as printed in the report
-    double confidence = 0.95; ///< of the intervals, after error spending
+    std::uint64_t units = 0; ///< complete units of work; a closed tile took part in fewer
+    std::uint64_t paths = 0; ///< light paths walked in all
+    std::string estimator;   ///< in words, as printed in the report
+    double confidence =
+        0.95; ///< of each interval by itself; stopping asked for more (METHODS "Stopping")
     std::vector<Message> notices;
 };
 

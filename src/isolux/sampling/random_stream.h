@@ -45,10 +45,11 @@ public:
     [[nodiscard]] std::uint32_t bits(std::uint64_t index,
                                      std::uint32_t dimension) const noexcept;
 
-private:
+    /// Four words of 32 random bits for the price of one.
     [[nodiscard]] std::array<std::uint32_t, 4> words(std::uint64_t index,
                                                      std::uint32_t block) const noexcept;
 
+private:
     std::uint64_t seed_;
     StreamPurpose purpose_;
     std::uint32_t replicate_;

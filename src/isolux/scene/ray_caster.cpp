@@ -203,7 +203,7 @@ SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
     // Of the triangles near by, the closest that belong to two different planes are kept.
     const auto& self = *implementation_;
     const Vector3 at = p - self.centre;
-    SurfaceDistances distances{radius, radius};
+    SurfaceDistances distances{radius, radius, {}};
     const Piece* nearest = nullptr;
     const auto visit = [&](std::uint32_t triangle) {
         const Piece& piece = self.opaque[triangle];
@@ -221,6 +221,8 @@ SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
     };
     if (self.opaque_scene)
         self.opaque_scene->visit_near(at, radius, visit);
+    if (nearest != nullptr)
+        distances.nearest_normal = nearest->normal;
     return distances;
 }
 

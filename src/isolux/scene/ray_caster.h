@@ -40,6 +40,7 @@ struct SightSegment {
 struct SurfaceDistances {
     double nearest = 0.0;
     double second = 0.0;
+    UnitVector3 nearest_normal; ///< of the front of the nearest surface, where one is in reach
 };
 
 inline constexpr std::size_t packet_size = 16;

@@ -10,10 +10,22 @@
 namespace isolux {
 namespace {
 
-/// How far rays start off a surface at `p`, at least (RayCaster::offset_point).
-double ray_offset(const Point3& p, const Point3& centre) noexcept {
-    const Vector3 v = p - centre;
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) * 0x1p-20 + 1e-5;
+/// How far rays start off a facet at least, whatever point of it they leave
+/// (RayCaster::offset_point).
+double least_ray_offset(const Facet& facet, const Point3& centre) noexcept {
+    const auto nearest = [&](auto coordinate) {
+        double lower = std::numeric_limits<double>::infinity();
+        double upper = -lower;
+        for (const Point3& p : facet.vertices) {
+            lower = std::min(lower, coordinate(p) - coordinate(centre));
+            upper = std::max(upper, coordinate(p) - coordinate(centre));
+        }
+        return std::max({lower, -upper, 0.0});
+    };
+    const double reach = std::max({nearest([](const Point3& p) { return p.x; }),
+                                   nearest([](const Point3& p) { return p.y; }),
+                                   nearest([](const Point3& p) { return p.z; })});
+    return reach * 0x1p-20 + 1e-5;
 }
 
 /// Where the black body of an opening's facet lies along the facet's normal. Behind a solid
@@ -21,13 +33,12 @@ double ray_offset(const Point3& p, const Point3& centre) noexcept {
 /// opening: in front of it by half of what rays start off it. So an opening set flush into a
 /// ceiling covers the ceiling, and light still starts before the body.
 double body_shift(const Facet& facet, OpeningForm form, const Point3& centre) noexcept {
-    double least = std::numeric_limits<double>::infinity();
-    double largest = 0.0;
-    for (const Point3& p : facet.vertices) {
-        least = std::min(least, ray_offset(p, centre));
-        largest = std::max(largest, ray_offset(p, centre));
-    }
-    return form == OpeningForm::flat ? 0.5 * least : -std::max(1e-4, 4.0 * largest);
+    if (form == OpeningForm::flat)
+        return 0.5 * least_ray_offset(facet, centre);
+    double reach = 0.0;
+    for (const Point3& p : facet.vertices)
+        reach = std::max(reach, distance(p, centre));
+    return -std::max(1e-4, 4.0 * (reach * 0x1p-20 + 1e-5));
 }
 
 class SceneBuilder {
@@ -134,6 +145,26 @@ std::vector<Luminaire> hang_luminaires(const SceneDescription& description) {
     return luminaires;
 }
 
+/// The point the ray caster will count coordinates from: bodies lie where their openings do.
+Point3 middle_of(const SceneBuilder& built, const std::vector<Luminaire>& luminaires) {
+    Bounds b = built.bounds();
+    bool is_empty = built.triangles.empty();
+    for (const Luminaire& l : luminaires)
+        for (const Facet& f : l.opening.facets)
+            for (const Point3& p : f.vertices) {
+                if (is_empty)
+                    b = {p, p};
+                is_empty = false;
+                b.lower = {std::min(b.lower.x, p.x),
+                           std::min(b.lower.y, p.y),
+                           std::min(b.lower.z, p.z)};
+                b.upper = {std::max(b.upper.x, p.x),
+                           std::max(b.upper.y, p.y),
+                           std::max(b.upper.z, p.z)};
+            }
+    return midpoint(b.lower, b.upper);
+}
+
 } // namespace
 
 Scene build_scene(SceneDescription description) {
@@ -146,8 +177,7 @@ Scene build_scene(SceneDescription description) {
     description.materials.push_back({"black", Opaque{}, Sides::both});
     const MaterialId black(description.materials.size() - 1);
     auto luminaires = hang_luminaires(description);
-    const Bounds shell = built.bounds();
-    const Point3 centre = midpoint(shell.lower, shell.upper);
+    const Point3 centre = middle_of(built, luminaires);
     for (const Luminaire& luminaire : luminaires)
         if (description.luminaire_types[luminaire.placement.type.index()].body
             == BodyModel::absorbing)

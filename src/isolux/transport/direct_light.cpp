@@ -20,8 +20,8 @@ namespace {
 constexpr double point_like_ratio = 40.0;
 
 constexpr std::size_t pilot_rays = 8; ///< per luminaire, to see whether it is wholly visible
-constexpr std::size_t unshadowed_samples = 8; ///< per replicate, where no closed form exists
-constexpr std::size_t shadowed_samples = 4;   ///< per replicate, in a penumbra
+constexpr std::uint32_t unshadowed_samples = 8; ///< per replicate, where no closed form exists
+constexpr std::size_t shadowed_samples = 4;     ///< per replicate, in a penumbra
 constexpr std::uint32_t pilot_replicate = 0xffffU;
 
 /// Nearer than this to the plane of an opening, or to a point source, m, a receiver takes the
@@ -85,6 +85,29 @@ private:
     OpeningView view_;
 };
 
+/// Whether light of a luminaire on its straight way to the image of a receiver can meet the
+/// mirror nearest to the luminaire at all; its box is tried, grown by the size of the opening.
+bool may_reflect(const MirrorImages& images,
+                 std::uint32_t mirror,
+                 const Luminaire& luminaire,
+                 const Point3& image) noexcept {
+    const MirrorImages::Mirror& m = images.mirrors()[mirror];
+    const Point3 from = luminaire.placement.world_from_luminaire.origin;
+    const double reach = luminaire.opening.largest_dimension + 1e-3;
+    const double above = dot(m.normal, from - m.point);
+    const double below = dot(m.normal, image - m.point);
+    if (std::abs(above) > reach && above * below > 0.0)
+        return false;
+    if (std::abs(above - below) < 4.0 * reach)
+        return true;
+    const Point3 p = from + (above / (above - below)) * (image - from);
+    const auto inside = [reach](double v, double lower, double upper) {
+        return v >= lower - 2.0 * reach && v <= upper + 2.0 * reach;
+    };
+    return inside(p.x, m.lower.x, m.upper.x) && inside(p.y, m.lower.y, m.upper.y)
+           && inside(p.z, m.lower.z, m.upper.z);
+}
+
 } // namespace
 
 /// Which numbers a luminaire's samples take: Sobol' pairs of its own for every replicate.
@@ -92,6 +115,7 @@ struct DirectLight::Randomness {
     std::uint64_t seed;
     std::uint64_t receiver;
     std::uint32_t unit;
+    std::uint32_t first_replicate = 0;
     std::size_t luminaire = 0;
     std::uint32_t chain = 0; ///< 0: straight
 
@@ -104,10 +128,12 @@ struct DirectLight::Randomness {
         }
     };
 
-    [[nodiscard]] Pair pair(std::uint32_t replicate) const noexcept {
+    /// Numbers for points that are looked at (use 0) and for unshadowed ones (use 1).
+    [[nodiscard]] Pair pair(std::uint32_t replicate, std::uint32_t use) const noexcept {
         const RandomStream stream(seed, StreamPurpose::direct, replicate);
-        const auto d = static_cast<std::uint32_t>(2 * (luminaire + (chain << 20U)));
-        return {stream.bits(receiver, d), stream.bits(receiver, d + 1)};
+        const auto words =
+            stream.words(receiver, static_cast<std::uint32_t>(luminaire) + (chain << 24U));
+        return {words[2 * use], words[2 * use + 1]};
     }
 };
 
@@ -140,7 +166,7 @@ void DirectLight::add_opening(const Receiver& receiver,
     std::array<float, packet_size> visible{};
 
     // Pilot: which share of the opening is visible. It only steers.
-    const auto pilot = randomness.pair(pilot_replicate);
+    const auto pilot = randomness.pair(pilot_replicate, 0);
     std::uint32_t wanted = 0;
     for (std::uint32_t i = 0; i < pilot_rays; ++i) {
         const auto [u, v] = pilot(i);
@@ -186,25 +212,31 @@ void DirectLight::add_opening(const Receiver& receiver,
         std::size_t n = 0;
         wanted = 0;
         for (std::size_t r = r0; r < r1; ++r) {
-            const auto numbers = randomness.pair(static_cast<std::uint32_t>(r));
-            const std::size_t samples =
-                is_analytic || beta == 0.0 ? looks : std::max(looks, unshadowed_samples);
-            const auto first = static_cast<std::uint32_t>(randomness.unit * unshadowed_samples);
-            double sum = 0.0;
-            for (std::uint32_t i = 0; i < samples; ++i) {
-                const auto [u, v] = numbers(first + i);
-                const Look k = light.look(u, v);
-                if (!is_analytic && beta > 0.0)
-                    sum += light.value(k);
-                if (i >= looks)
-                    continue;
-                looks_at[n] = k;
-                segments[n] = {clear, k.departure};
-                if (k.response > 0.0)
+            const auto replicate = randomness.first_replicate + static_cast<std::uint32_t>(r);
+            // Looks and unshadowed samples each run through a sequence of their own without
+            // gaps, so that their error falls from unit to unit.
+            const auto numbers = randomness.pair(replicate, 0);
+            for (std::uint32_t i = 0; i < looks; ++i) {
+                const auto [u, v] =
+                    numbers(randomness.unit * static_cast<std::uint32_t>(looks) + i);
+                looks_at[n] = light.look(u, v);
+                segments[n] = {clear, looks_at[n].departure};
+                if (looks_at[n].response > 0.0)
                     wanted |= 1U << n;
                 ++n;
             }
-            base[r - r0] = beta * (is_analytic ? exact : sum / static_cast<double>(samples));
+            if (beta == 0.0)
+                continue;
+            double unshadowed = exact;
+            if (!is_analytic) {
+                const auto more = randomness.pair(replicate, 1);
+                for (std::uint32_t i = 0; i < unshadowed_samples; ++i) {
+                    const auto [u, v] = more(randomness.unit * unshadowed_samples + i);
+                    unshadowed += light.value(light.look(u, v));
+                }
+                unshadowed /= static_cast<double>(unshadowed_samples);
+            }
+            base[r - r0] = beta * unshadowed;
         }
         if (wanted != 0) {
             scene_->caster.transmittance16(
@@ -245,6 +277,8 @@ void DirectLight::add_images(const Receiver& receiver,
     for (std::uint32_t c = 0; c < chains.size(); ++c) {
         const Point3 image = image_of(*images_, chains[c], at);
         for (std::size_t l = 0; l < emission_->luminaires(); ++l) {
+            if (!may_reflect(*images_, chains[c].back(), emission_->luminaire(l), image))
+                continue;
             const Rgb colour = emission_->colour(l);
             if (emission_->luminaire(l).opening.form == OpeningForm::point) {
                 const double e = contribution(chains[c], emission_->view(l, image), 0.5, 0.5);
@@ -257,7 +291,8 @@ void DirectLight::add_images(const Receiver& receiver,
             own.luminaire = l;
             own.chain = c + 1;
             for (std::size_t r = 0; r < result.size(); ++r) {
-                const auto numbers = own.pair(static_cast<std::uint32_t>(r));
+                const auto numbers =
+                    own.pair(own.first_replicate + static_cast<std::uint32_t>(r), 0);
                 double sum = 0.0;
                 for (std::uint32_t i = 0; i < shadowed_samples; ++i) {
                     const auto [u, v] = numbers(
@@ -274,13 +309,14 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::uint64_t receiver_index,
                            std::uint64_t seed,
                            std::uint32_t unit,
+                           std::uint32_t first_replicate,
                            std::span<Rgb> result,
                            std::uint64_t& rays) const {
     std::fill(result.begin(), result.end(), Rgb{});
     if (emission_->total_flux() <= 0.0)
         return;
     const Point3 clear = clear_point(*scene_, receiver);
-    Randomness randomness{seed, receiver_index, unit};
+    Randomness randomness{seed, receiver_index, unit, first_replicate};
 
     // Point-like luminaires: one ray each, the same value for every replicate.
     std::array<SightSegment, packet_size> segments;

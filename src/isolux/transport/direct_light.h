@@ -19,11 +19,13 @@ class DirectLight {
 public:
     DirectLight(const Scene& scene, const Emission& emission, const MirrorImages& images);
 
-    /// Illuminance of unit `unit` for replicates [0, result.size()), lx per channel.
+    /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate +
+    /// result.size()), lx per channel.
     void estimate(const Receiver& receiver,
                   std::uint64_t receiver_index,
                   std::uint64_t seed,
                   std::uint32_t unit,
+                  std::uint32_t first_replicate,
                   std::span<Rgb> result,
                   std::uint64_t& rays) const;
 

@@ -109,16 +109,19 @@ EmissionSample Emission::sample_emission(double u_luminaire,
     const Luminaire& luminaire = scene_->luminaires[l];
     const Frame& frame = luminaire.placement.world_from_luminaire;
 
-    Vector3 local;
+    UnitVector3 w;
     if (source.table != nullptr) {
-        local = source.table->sample(u_direction, v_direction);
+        w = UnitVector3(
+            frame.vector_from_local(source.table->sample(u_direction, v_direction)));
     } else if (std::holds_alternative<LambertianSource>(source.type->source)) {
-        const Vector3 up = sample_cosine_hemisphere(u_direction, v_direction);
-        local = {up.x, -up.y, -up.z};
+        const bool has_front = luminaire.opening.form == OpeningForm::flat;
+        const UnitVector3 front =
+            has_front ? luminaire.opening.facets.front().normal : -frame.z;
+        w = UnitVector3(
+            make_basis(front).to_world(sample_cosine_hemisphere(u_direction, v_direction)));
     } else {
-        local = sample_sphere(u_direction, v_direction);
+        w = sample_sphere(u_direction, v_direction);
     }
-    const UnitVector3 w(frame.vector_from_local(local));
 
     switch (luminaire.opening.form) {
     case OpeningForm::point:

@@ -4,6 +4,14 @@
 
 namespace isolux {
 
+namespace {
+
+/// An opening's black body lies before it by less than this, m; the opening shines all the
+/// same.
+constexpr double grazing_slack = 4e-5;
+
+} // namespace
+
 Rgb seen_openings(const Emission& emission, const Branch& ray, double reach) noexcept {
     Rgb sum;
     for (std::size_t l = 0; l < emission.luminaires(); ++l) {
@@ -14,7 +22,7 @@ Rgb seen_openings(const Emission& emission, const Branch& ray, double reach) noe
             if (slope == 0.0)
                 continue;
             const double t = dot(facet.normal, facet.vertices[0] - ray.origin) / slope;
-            if (t <= 0.0 || t > reach)
+            if (t <= 0.0 || t > reach + grazing_slack / std::abs(slope))
                 continue;
             const Point3 p = ray.origin + t * Vector3(ray.w);
             bool inside = true;

@@ -27,6 +27,15 @@ bool same_plane(const MirrorImages::Mirror& m,
            && std::abs(dot(m.normal, t.corner[0] - m.point)) < tolerance;
 }
 
+void grow(MirrorImages::Mirror& m, const SceneTriangle& t) noexcept {
+    for (const Point3& p : t.corner) {
+        m.lower = {
+            std::min(m.lower.x, p.x), std::min(m.lower.y, p.y), std::min(m.lower.z, p.z)};
+        m.upper = {
+            std::max(m.upper.x, p.x), std::max(m.upper.y, p.y), std::max(m.upper.z, p.z)};
+    }
+}
+
 } // namespace
 
 MirrorImages::MirrorImages(const Scene& scene) {
@@ -45,8 +54,10 @@ MirrorImages::MirrorImages(const Scene& scene) {
             while (m < mirrors_.size() && !same_plane(mirrors_[m], t, tolerance))
                 ++m;
             if (m == mirrors_.size())
-                mirrors_.push_back({t.corner[0], t.normal});
+                mirrors_.push_back({t.corner[0], t.normal, t.corner[0], t.corner[0]});
         }
+        if (m < mirrors_.size())
+            grow(mirrors_[m], t);
         mirror_of_triangle_.push_back(m);
     }
     for (std::size_t& m : mirror_of_triangle_)

@@ -19,6 +19,8 @@ public:
     struct Mirror {
         Point3 point;
         UnitVector3 normal;
+        Point3 lower; ///< box around its triangles
+        Point3 upper;
     };
 
     [[nodiscard]] const std::vector<Mirror>& mirrors() const noexcept { return mirrors_; }
