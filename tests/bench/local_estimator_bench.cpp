@@ -115,7 +115,7 @@ void direct_of_a_point(benchmark::State& state) {
     std::uint64_t rays = 0;
     benchmark::IterationCount i = 0;
     for (auto _ : state) {
-        direct.estimate(receiver(i), static_cast<std::uint64_t>(i), 1, 0, result, rays);
+        direct.estimate(receiver(i), static_cast<std::uint64_t>(i), 1, 0, 0, result, rays);
         ++i;
     }
     state.counters["rays/s"] =

@@ -52,7 +52,7 @@ protected:
         std::vector<Rgb> values(replicates);
         std::uint64_t rays = 0;
         for (std::uint32_t unit = 0; unit < count; ++unit) {
-            direct.estimate(receiver_, 0, 1, unit, values, rays);
+            direct.estimate(receiver_, 0, 1, unit, 0, values, rays);
             for (std::size_t r = 0; r < replicates; ++r)
                 sums[r] += luminance_sum(values[r]) / count;
         }
