@@ -39,6 +39,8 @@ struct Expected {
     double down;
 };
 
+void PrintTo(const Expected& e, std::ostream* out) { *out << e.file; }
+
 class SyntheticFile : public testing::TestWithParam<Expected> {};
 
 TEST_P(SyntheticFile, HasTheFluxOfItsFormula) {
