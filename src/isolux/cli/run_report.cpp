@@ -75,7 +75,7 @@ std::string to_run_facts(const Results& results) {
         const double left = flux.emitted.mean - flux.absorbed.mean - flux.escaped.mean;
         text += fmt::format("flux: {} lm emitted = {} lm absorbed + {} lm escaped, {:.2f} % "
                             "unaccounted for\n",
-                            flux.emitted.mean,
+                            format_flux(flux.emitted.mean),
                             format_estimate(flux.absorbed, results.confidence),
                             format_estimate(flux.escaped, results.confidence),
                             flux.emitted.mean > 0.0 ? 100.0 * left / flux.emitted.mean : 0.0);

@@ -154,6 +154,10 @@ Material MaterialTable::read_object(const JsonNode& node) {
     if (const std::optional<JsonNode> sides = object.find("sides")) {
         constexpr std::array<std::string_view, 2> words{"both", "front"};
         material.sides = read_choice(*sides, words) == 1U ? Sides::front : Sides::both;
+        if (material.sides == Sides::front
+            && std::holds_alternative<ClearPane>(material.scattering))
+            sides->error("a pane has no dark side (light passes it both ways)",
+                         "Remove \"sides\"");
     }
     return material;
 }

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <filesystem>
 #include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "isolux/calc/calculate.h"
 #include "isolux/io/json_value.h"
 #include "isolux/io/project_json.h"
 
@@ -72,6 +74,40 @@ void expect_near(const Vector3& a, const Vector3& b, double tolerance) {
     EXPECT_NEAR(length(a - b), 0.0, tolerance);
 }
 
+/// Illuminances of the project against those of independent engines, METHODS 7.1: every |z| of
+/// the 680 points at most 6 (their errors and ours, 16 replicates), no common bias beyond 0.2
+/// %.
+void expect_illuminances(const std::string& text, const std::string& name) {
+    const JsonValue reference =
+        parse_json(read_bytes(scenes / "reference" / (name + ".json")), "reference");
+    const Project project = parse_project(text, scenes / "project.json");
+    const Scene scene = build_scene(parse_project(text, scenes / "project.json").scene);
+    const Results results = calculate(scene, project.surfaces, project.settings);
+    EXPECT_TRUE(results.converged);
+    const std::vector<JsonValue>& groups = reference.find("groups")->items;
+    ASSERT_EQ(groups.size(), results.surfaces.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        double ratio = 0.0;
+        double squares = 0.0;
+        const auto& points = results.surfaces[g].points;
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            const double lux = groups[g].find("lux")->items[p].number;
+            const double error = groups[g].find("se")->items[p].number;
+            const Estimate& e = points[p].total;
+            const double z = (e.mean - lux) / std::hypot(error, e.standard_error);
+            EXPECT_LT(std::abs(z), 6.0)
+                << name << " point " << p << ": " << e.mean << ", " << lux;
+            ratio += e.mean / lux / static_cast<double>(points.size());
+            squares += z * z / static_cast<double>(points.size());
+        }
+        EXPECT_NEAR(ratio, 1.0, 2e-3) << name;
+        EXPECT_LT(std::sqrt(squares), 1.4) << name;
+        RecordProperty(
+            name + std::to_string(g),
+            fmt::format("mean ratio {:.5f}, rms z {:.3f}", ratio, std::sqrt(squares)));
+    }
+}
+
 TEST(ReferenceScenes, TiltedSpotsPointWhereTheirAuthorsSay) {
     if (!std::filesystem::exists(scenes))
         GTEST_SKIP() << "the reference scenes are not beside the checkout";
@@ -87,12 +123,11 @@ TEST(ReferenceScenes, TiltedSpotsPointWhereTheirAuthorsSay) {
             number(l, "tilt_deg"),
             number(l, "azimuth_deg"));
 
-    const Project project =
-        parse_project(project_text(scene,
-                                   R"("size": [8, 5], "height": 2.8)",
-                                   R"("spot": {"file": "ies/downlight_cos20.ies"})",
-                                   luminaires),
-                      scenes / "project.json");
+    const std::string text = project_text(scene,
+                                          R"("size": [8, 5], "height": 2.8)",
+                                          R"("spot": {"file": "ies/downlight_cos20.ies"})",
+                                          luminaires);
+    const Project project = parse_project(text, scenes / "project.json");
 
     ASSERT_EQ(project.scene.luminaires.size(), spots.size());
     for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -101,6 +136,7 @@ TEST(ReferenceScenes, TiltedSpotsPointWhereTheirAuthorsSay) {
         expect_near(Vector3(frame.x), vector(*spots[i].find("c0")), 2e-9);
     }
     EXPECT_EQ(project.scene.luminaire_types[0].opening.shape, OpeningShape::point);
+    expect_illuminances(text, "downlights");
 }
 
 TEST(ReferenceScenes, FlushPanelsAreLambertianTypesWithABody) {
@@ -113,12 +149,12 @@ TEST(ReferenceScenes, FlushPanelsAreLambertianTypesWithABody) {
                    + in_json(vector(*l.find("corner")) + 0.5 * vector(*l.find("u"))
                              + 0.5 * vector(*l.find("v")));
 
-    const Project project = parse_project(
+    const std::string text =
         project_text(scene,
                      R"("size": [6, 4], "height": 3)",
                      R"("panel": {"lambertian": {"size": [0.6, 0.6], "flux": 4000}})",
-                     R"({"type": "panel", "positions": [)" + centres + "]}"),
-        scenes / "project.json");
+                     R"({"type": "panel", "positions": [)" + centres + "]}");
+    const Project project = parse_project(text, scenes / "project.json");
 
     ASSERT_EQ(project.scene.luminaires.size(), 4U);
     EXPECT_EQ(project.scene.luminaire_types[0].body, BodyModel::absorbing);
@@ -126,6 +162,7 @@ TEST(ReferenceScenes, FlushPanelsAreLambertianTypesWithABody) {
     for (const CalculationSurface& surface : project.surfaces)
         points += surface.receivers.size();
     EXPECT_EQ(points, 96U);
+    expect_illuminances(text, "shoebox");
     // The half-spacing rule hangs the same four panels.
     const Project field = parse_project(
         R"({"isolux": 1, "rooms": [{"size": [6, 4], "height": 3}], "luminaire_types":

@@ -128,6 +128,11 @@ const Malformed materials[] = {
      R"({"paint": {"reflectance": 0.7, "mirror": 0.4}})",
      "#/materials/paint: diffuse reflectance and mirror share add up to 1.1 (more light "
      "would leave than arrives). Reduce one of the two"},
+    {"OneSidedPane",
+     "materials",
+     R"({"glass": {"pane": {}, "sides": "front"}})",
+     "#/materials/glass/sides: a pane has no dark side (light passes it both ways). Remove "
+     "\"sides\""},
     {"PaneWithReflectance",
      "materials",
      R"({"glass": {"pane": {}, "reflectance": 0.1}})",
