@@ -102,7 +102,7 @@ void expect_illuminances(const std::string& text, const std::string& name) {
         }
         EXPECT_NEAR(ratio, 1.0, 2e-3) << name;
         EXPECT_LT(std::sqrt(squares), 1.4) << name;
-        RecordProperty(
+        testing::Test::RecordProperty(
             name + std::to_string(g),
             fmt::format("mean ratio {:.5f}, rms z {:.3f}", ratio, std::sqrt(squares)));
     }
