@@ -22,6 +22,9 @@ constexpr std::size_t replicates = 16;
 /// Fewer than this carry no error bar worth the name; an interrupted run then has no result.
 constexpr std::size_t fewest_replicates = 4;
 
+/// Up to so many active points all replicates of a unit run at once.
+constexpr std::size_t points_worth_waiting = 2048;
+
 /// The pilot: other replicates than the run itself, so that it only steers.
 constexpr std::size_t pilot_points = 64;
 constexpr std::size_t pilot_replicates = 8;
@@ -66,6 +69,7 @@ public:
                 break;
             if (close_tiles(check) || settings_.fixed_units)
                 break;
+            engine_.adapt(active_points());
             expected_ = work_done_ + active_tiles() * target;
         }
         return collect(done);
@@ -149,29 +153,38 @@ private:
             estimate_direct_tile(sums_.tiles()[active[a]], unit, direct[a], rays[a]);
             indirect[a].assign(direct[a].size(), 0.0);
         });
+        // Replicates are independent: few points run them side by side, many one after the
+        // other, so that memory stays small and an interruption finds complete ones.
+        const std::size_t side_by_side =
+            active_points() <= points_worth_waiting ? replicates : 1;
         std::vector<ReplicateFlux> flux(replicates);
         std::size_t complete = 0;
-        for (; complete < replicates && !cut_short && !must_stop(); ++complete) {
-            if (settings_.direct_only)
-                continue;
-            const auto r = static_cast<std::uint32_t>(complete);
-            VertexCache cache;
-            if (engine_.needs_paths() || unit == 0) {
-                cache = engine_.build_cache(r, unit);
-                count_flux(cache, flux[complete]);
-            }
-            for_each_index(active.size(), 1, [&](std::size_t a) {
-                const Accumulator::Tile& tile = sums_.tiles()[active[a]];
-                engine_.estimate_indirect(
-                    cache,
-                    tile.first,
-                    r,
-                    unit,
-                    std::span(indirect[a]).subspan(complete * tile.points, tile.points),
-                    rays[a]);
-            });
+        while (complete < replicates && !cut_short && !must_stop()) {
+            std::vector<RayCounts> own(active.size() * side_by_side);
+            std::vector<VertexCache> caches(side_by_side);
+            if (!settings_.direct_only)
+                for_each_index(side_by_side, 1, [&](std::size_t k) {
+                    const auto r = static_cast<std::uint32_t>(complete + k);
+                    VertexCache& cache = caches[k];
+                    if (engine_.needs_paths() || unit == 0)
+                        cache = engine_.build_cache(r, unit);
+                    for_each_index(active.size(), 1, [&](std::size_t a) {
+                        const Accumulator::Tile& tile = sums_.tiles()[active[a]];
+                        engine_.estimate_indirect(
+                            cache,
+                            tile.first,
+                            r,
+                            unit,
+                            std::span(indirect[a]).subspan(r * tile.points, tile.points),
+                            own[k * active.size() + a]);
+                    });
+                });
+            for (std::size_t k = 0; k < side_by_side; ++k)
+                count_flux(caches[k], flux[complete + k]);
+            rays.insert(rays.end(), own.begin(), own.end());
+            complete += side_by_side;
             report("calculating",
-                   (static_cast<double>(complete) + 1.0) / static_cast<double>(replicates)
+                   static_cast<double>(complete) / static_cast<double>(replicates)
                        * static_cast<double>(active.size()));
         }
         for (const RayCounts& c : rays) {
@@ -279,6 +292,14 @@ private:
             sums_.tiles().begin(), sums_.tiles().end(), [](const Accumulator::Tile& t) {
                 return t.is_active;
             }));
+    }
+
+    [[nodiscard]] std::size_t active_points() const {
+        std::size_t points = 0;
+        for (const Accumulator::Tile& t : sums_.tiles())
+            if (t.is_active)
+                points += t.points;
+        return points;
     }
 
     [[nodiscard]] double seconds() const {

@@ -65,19 +65,31 @@ Point3 moved_off(const Receiver& receiver, const SurfaceDistances& d) noexcept {
     return receiver.point + (looks_back ? -clear : clear) * Vector3(d.nearest_normal);
 }
 
+/// Paths traced from a point next to an edge, by the same balance.
+std::size_t samples_for(std::size_t points, std::size_t paths) {
+    return std::clamp<std::size_t>(
+        8 * std::bit_floor(paths / std::max<std::size_t>(points, 1)), 32, 512);
+}
+
 } // namespace
 
 Engine::Engine(const Scene& scene, const Settings& settings)
     : scene_(&scene), settings_(settings), emission_(scene), images_(scene),
       direct_(scene, emission_, images_) {}
 
+void Engine::adapt(std::size_t active_points) {
+    effort_.directions = directions_for(active_points, effort_.paths);
+    effort_.samples = samples_for(active_points, effort_.paths);
+    const double paths = static_cast<double>(effort_.paths);
+    const double directions = static_cast<double>(effort_.directions);
+    counts_ = {paths, paths * vertices_per_path_, directions, directions};
+}
+
 void Engine::prepare(std::vector<Receiver> receivers) {
     receivers_ = std::move(receivers);
     effort_.paths = paths_for(receivers_.size());
-    effort_.directions = directions_for(receivers_.size(), effort_.paths);
 
     // Mean number of vertices of a path: a constant of the run, never a replicate's own count.
-    double vertices_per_path = 1.0;
     if (emission_.total_flux() > 0.0) {
         const VertexCache pilot =
             build_vertex_cache(*scene_,
@@ -86,17 +98,16 @@ void Engine::prepare(std::vector<Receiver> receivers) {
                                0,
                                pilot_paths,
                                EffectiveCounts{});
-        vertices_per_path = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
+        vertices_per_path_ = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
     }
-    const double paths = static_cast<double>(effort_.paths);
-    const double directions = static_cast<double>(effort_.directions);
-    counts_ = {paths, paths * vertices_per_path, directions, directions};
+    adapt(receivers_.size());
 
     // Which points are traced instead: a matter of geometry only, so it biases nothing.
     estimators_.assign(receivers_.size(), PointEstimator::mis);
     near_surface_.assign(receivers_.size(), 0);
-    const double edge =
-        std::min(widest_edge, edge_factor * std::sqrt(scene_->total_area / paths));
+    const double edge = std::min(
+        widest_edge,
+        edge_factor * std::sqrt(scene_->total_area / static_cast<double>(effort_.paths)));
     for_each_index(receivers_.size(), 64, [&](std::size_t i) {
         Receiver& receiver = receivers_[i];
         const SurfaceDistances d = scene_->caster.find_nearest_surfaces(

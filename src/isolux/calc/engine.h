@@ -43,6 +43,10 @@ public:
     /// moved off it.
     void prepare(std::vector<Receiver> receivers);
 
+    /// Fits the work at each point to how many points still need any: the light paths cost the
+    /// same for few as for many. Numbers drawn before stay drawn.
+    void adapt(std::size_t active_points);
+
     [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
 
     /// Per receiver, as given to prepare().
@@ -85,6 +89,7 @@ private:
     DirectLight direct_;
     Effort effort_;
     EffectiveCounts counts_;
+    double vertices_per_path_ = 1.0; ///< of the pilot
     std::vector<Receiver> receivers_;
     std::vector<PointEstimator> estimators_;
     std::vector<std::uint8_t> near_surface_;
