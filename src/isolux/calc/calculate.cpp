@@ -69,7 +69,7 @@ public:
                 break;
             if (close_tiles(check) || settings_.fixed_units)
                 break;
-            engine_.adapt(active_points());
+            engine_.adapt(active_receivers());
             expected_ = work_done_ + active_tiles() * target;
         }
         return collect(done);
@@ -300,6 +300,14 @@ private:
             if (t.is_active)
                 points += t.points;
         return points;
+    }
+
+    [[nodiscard]] std::vector<std::size_t> active_receivers() const {
+        std::vector<std::size_t> receivers;
+        for (const Accumulator::Tile& t : sums_.tiles())
+            for (std::size_t p = 0; t.is_active && p < t.points; ++p)
+                receivers.push_back(t.first + p);
+        return receivers;
     }
 
     [[nodiscard]] double seconds() const {

@@ -38,7 +38,7 @@ std::size_t paths_for(std::size_t points) {
 /// it.
 std::size_t directions_for(std::size_t points, std::size_t paths) {
     return std::clamp<std::size_t>(
-        std::bit_floor(paths / std::max<std::size_t>(points, 1)), 4, 64);
+        std::bit_floor(paths / std::max<std::size_t>(points, 1)), 4, 16);
 }
 
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
@@ -65,21 +65,23 @@ Point3 moved_off(const Receiver& receiver, const SurfaceDistances& d) noexcept {
     return receiver.point + (looks_back ? -clear : clear) * Vector3(d.nearest_normal);
 }
 
-/// Paths traced from a point next to an edge, by the same balance.
-std::size_t samples_for(std::size_t points, std::size_t paths) {
-    return std::clamp<std::size_t>(
-        8 * std::bit_floor(paths / std::max<std::size_t>(points, 1)), 32, 512);
-}
-
 } // namespace
 
 Engine::Engine(const Scene& scene, const Settings& settings)
     : scene_(&scene), settings_(settings), emission_(scene), images_(scene),
       direct_(scene, emission_, images_) {}
 
-void Engine::adapt(std::size_t active_points) {
-    effort_.directions = directions_for(active_points, effort_.paths);
-    effort_.samples = samples_for(active_points, effort_.paths);
+void Engine::adapt(std::span<const std::size_t> active) {
+    const auto by_paths = static_cast<std::size_t>(
+        std::count_if(active.begin(), active.end(), [&](std::size_t i) {
+            return estimators_[i] != PointEstimator::path_tracing;
+        }));
+    needs_paths_ = !settings_.direct_only && by_paths > 0;
+    fix_directions(by_paths);
+}
+
+void Engine::fix_directions(std::size_t points) {
+    effort_.directions = directions_for(points, effort_.paths);
     const double paths = static_cast<double>(effort_.paths);
     const double directions = static_cast<double>(effort_.directions);
     counts_ = {paths, paths * vertices_per_path_, directions, directions};
@@ -100,7 +102,7 @@ void Engine::prepare(std::vector<Receiver> receivers) {
                                EffectiveCounts{});
         vertices_per_path_ = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
     }
-    adapt(receivers_.size());
+    fix_directions(receivers_.size());
 
     // Which points are traced instead: a matter of geometry only, so it biases nothing.
     estimators_.assign(receivers_.size(), PointEstimator::mis);

@@ -43,9 +43,10 @@ public:
     /// moved off it.
     void prepare(std::vector<Receiver> receivers);
 
-    /// Fits the work at each point to how many points still need any: the light paths cost the
-    /// same for few as for many. Numbers drawn before stay drawn.
-    void adapt(std::size_t active_points);
+    /// Fits the work to the points that still need any: the light paths cost the same for few
+    /// as for many, and points that are traced need none. Numbers drawn before stay drawn.
+    /// @param active  numbers of the receivers
+    void adapt(std::span<const std::size_t> active);
 
     [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
 
@@ -76,12 +77,14 @@ public:
                          std::span<double> result,
                          RayCounts& rays) const;
 
-    /// Whether any receiver needs light paths.
+    /// Whether any active receiver needs light paths.
     [[nodiscard]] bool needs_paths() const noexcept { return needs_paths_; }
 
     [[nodiscard]] std::string describe() const;
 
 private:
+    void fix_directions(std::size_t points);
+
     const Scene* scene_;
     Settings settings_;
     Emission emission_;

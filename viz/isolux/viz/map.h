@@ -15,7 +15,7 @@ struct MapNotes {
     std::string project;             ///< shown beside the title; may be empty
     double confidence = 0.95;        ///< of all intervals, Results::confidence
     double tolerance = 0.01;         ///< asked for, Settings::tolerance
-    double absolute_tolerance = 0.1; ///< lx, Settings::absolute_tolerance
+    double absolute_tolerance = 1e-4; ///< lx, Settings::absolute_tolerance
 };
 
 /// False-colour map of one calculation surface.
