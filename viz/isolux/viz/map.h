@@ -12,9 +12,9 @@ namespace isolux {
 
 /// What a map says besides the surface itself.
 struct MapNotes {
-    std::string project;             ///< shown beside the title; may be empty
-    double confidence = 0.95;        ///< of all intervals, Results::confidence
-    double tolerance = 0.01;         ///< asked for, Settings::tolerance
+    std::string project;              ///< shown beside the title; may be empty
+    double confidence = 0.95;         ///< of all intervals, Results::confidence
+    double tolerance = 0.01;          ///< asked for, Settings::tolerance
     double absolute_tolerance = 1e-4; ///< lx, Settings::absolute_tolerance
 };
 
