@@ -58,7 +58,7 @@ TEST_P(Furnace, HasTheSameIlluminanceEverywhere) {
     const auto [rho, estimator] = GetParam();
     const Scene scene = furnace(rho).build();
     const auto points = scattered_points();
-    const auto s = sample(scene, points, estimator, rho > 0.8 ? 8 : 2, 3);
+    const auto s = sample(scene, points, estimator, rho > 0.8 ? 16 : 8, 3);
     const double exact = exitance / (1.0 - rho);
     EXPECT_LT(std::abs(z_score(s.mean(), exact)), z_limit)
         << s.mean().mean << " +- " << s.mean().standard_error << ", exact " << exact;
