@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "isolux/base/error.h"
 #include "isolux/base/estimate.h"
+#include "isolux/calc/contributions.h"
 #include "isolux/measure/grid_statistics.h"
 #include "isolux/measure/surface_grid.h"
 
@@ -58,6 +60,8 @@ struct Results {
     double confidence =
         0.95; ///< of each interval by itself; stopping asked for more (METHODS "Stopping")
     std::vector<Message> notices;
+    std::optional<Contributions>
+        contributions; ///< absent where the settings did not ask for it
 };
 
 } // namespace isolux

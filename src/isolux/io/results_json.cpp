@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "isolux/io/contributions_file.h"
 #include "isolux/io/csv.h"
 #include "isolux/io/file_name.h"
 #include "isolux/io/safe_file.h"
@@ -200,6 +201,10 @@ void write_results(const std::filesystem::path& folder, const ResultsDocument& d
     for (std::size_t i = 0; i < stems.size(); ++i)
         write_file_safely(folder / (stems[i] + ".csv"),
                           to_csv(document.results.surfaces[i], document.results.confidence));
+    // Those of an earlier run would speak of other lights.
+    remove_contributions(folder);
+    if (document.results.contributions)
+        write_contributions(folder, document.results);
     write_file_safely(folder / "results.json", to_results_json(document));
 }
 

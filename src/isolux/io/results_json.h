@@ -46,8 +46,9 @@ make_results_document(const Project& project, const Settings& settings, Results 
 /// The same from a file. @throws InputError  also for a file that is missing or too large
 [[nodiscard]] ResultsDocument read_results_json(const std::filesystem::path& path);
 
-/// Writes `folder`/results.json and one CSV a surface, named by file_stems() of the surfaces'
-/// names. Makes the folder where it is missing. @throws WriteError
+/// Writes `folder`/results.json, one CSV a surface, named by file_stems() of the surfaces'
+/// names, and the contributions where the results have them (io/contributions_file.h); those of
+/// an earlier run are removed. Makes the folder where it is missing. @throws WriteError
 void write_results(const std::filesystem::path& folder, const ResultsDocument& document);
 
 } // namespace isolux
