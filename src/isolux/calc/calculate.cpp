@@ -87,6 +87,7 @@ private:
         std::vector<double> values(points * pilot_replicates);
         std::vector<RayCounts> rays(points);
         for_each_index(points, 4, [&](std::size_t p) {
+            engine_.plan_direct(p * step, rays[p]);
             engine_.estimate_direct(
                 p * step,
                 0,
@@ -211,11 +212,12 @@ private:
     void estimate_direct_tile(const Accumulator::Tile& tile,
                               std::uint32_t unit,
                               std::vector<double>& direct,
-                              RayCounts& rays) const {
+                              RayCounts& rays) {
         direct.resize(replicates * tile.points);
         std::vector<double> values(replicates);
         for (std::size_t p = 0; p < tile.points; ++p) {
             const std::size_t index = tile.first + p;
+            engine_.plan_direct(index, rays);
             engine_.estimate_direct(index, unit, 0, values, rays);
             for (std::size_t r = 0; r < replicates; ++r)
                 direct[r * tile.points + p] = values[r];

@@ -105,6 +105,7 @@ void Engine::prepare(std::vector<Receiver> receivers) {
     fix_directions(receivers_.size());
 
     // Which points are traced instead: a matter of geometry only, so it biases nothing.
+    plans_.assign(receivers_.size(), {});
     estimators_.assign(receivers_.size(), PointEstimator::mis);
     near_surface_.assign(receivers_.size(), 0);
     const double edge = std::min(
@@ -195,15 +196,27 @@ void Engine::estimate_indirect(const VertexCache& cache,
     }
 }
 
+void Engine::plan_direct(std::size_t index, RayCounts& rays) {
+    if (!plans_[index].is_made)
+        plans_[index] =
+            direct_.plan(receivers_[index], index, settings_.seed, false, rays.shadow);
+}
+
 void Engine::estimate_direct(std::size_t index,
                              std::uint32_t unit,
                              std::uint32_t first_replicate,
                              std::span<double> result,
                              RayCounts& rays) const {
     thread_local std::vector<Rgb> values;
-    values.resize(result.size());
-    direct_.estimate(
-        receivers_[index], index, settings_.seed, unit, first_replicate, values, rays.shadow);
+    values.assign(result.size(), {});
+    direct_.estimate(receivers_[index],
+                     plans_[index],
+                     index,
+                     settings_.seed,
+                     unit,
+                     first_replicate,
+                     {values, {}, {}},
+                     rays.shadow);
     for (std::size_t r = 0; r < result.size(); ++r)
         result[r] = finite_lux(values[r], rays);
 }

@@ -70,7 +70,12 @@ public:
                            std::span<double> result,
                            RayCounts& rays) const;
 
+    /// Finds out once what of a receiver's direct light is known without noise. Different
+    /// receivers may be planned by different threads.
+    void plan_direct(std::size_t index, RayCounts& rays);
+
     /// Direct illuminance of one receiver for replicates from `first_replicate` on, lx.
+    /// @pre plan_direct(index)
     void estimate_direct(std::size_t index,
                          std::uint32_t unit,
                          std::uint32_t first_replicate,
@@ -94,6 +99,7 @@ private:
     EffectiveCounts counts_;
     double vertices_per_path_ = 1.0; ///< of the pilot
     std::vector<Receiver> receivers_;
+    std::vector<DirectPlan> plans_;
     std::vector<PointEstimator> estimators_;
     std::vector<std::uint8_t> near_surface_;
     bool needs_paths_ = true;

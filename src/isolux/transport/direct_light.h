@@ -2,25 +2,80 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "isolux/base/receiver.h"
+#include "isolux/transport/clear_view.h"
+#include "isolux/transport/light_ledger.h"
 #include "isolux/transport/mirror_images.h"
 #include "isolux/transport/point_randomness.h"
 
 namespace isolux {
 
+/// What of one receiver's direct light is known once and for all, and what has to be sampled in
+/// every unit of work.
+struct DirectPlan {
+    struct Term {
+        std::uint32_t luminaire = 0;
+        double lux = 0.0;
+    };
+
+    /// A luminaire that may be partly hidden, or whose unshadowed light is not known.
+    struct Opening {
+        std::uint32_t luminaire = 0;
+        float visible_share = 1.0F; ///< beta of METHODS eq. (13), from pilot rays
+        bool is_clear = false;      ///< nothing stands in between: no rays needed
+        double unshadowed = -1.0;   ///< lx; negative: not known
+    };
+
+    /// A part of the light tree from which luminaires are drawn.
+    struct Branch {
+        std::uint32_t node = 0;
+        double bound = 0.0; ///< lx
+    };
+
+    bool is_made = false;
+    Rgb known;               ///< without noise, lx
+    std::vector<Term> terms; ///< the same by luminaire; kept only when asked for
+    std::vector<Opening> openings;
+    std::vector<Branch> tail; ///< negligible luminaires, METHODS "Many luminaires"
+    double tail_bound = 0.0;  ///< sum over the tail, lx
+    std::uint32_t tail_draws = 0;
+};
+
 /// Light straight from the luminaires (and by imaged mirrors), METHODS "Direct illuminance".
 ///
-/// A far or point-like luminaire is one exact term. For a luminous opening a few points of it
-/// are looked at; a control variate (METHODS eq. (13)) makes a wholly visible one noise-free
-/// where its unshadowed light is known in closed form, and nearly so elsewhere. Its coefficient
-/// is the visible share found by pilot rays of their own, so that the estimate stays unbiased.
+/// A luminaire that nothing hides, or that counts as a point, is one exact number, calculated
+/// once. Of other openings a few points are looked at; a control variate (METHODS eq. (13))
+/// makes the noise that of the shadow alone. Where luminaires are many, those whose bound is
+/// negligible are drawn from the light tree instead of looked at one by one.
 class DirectLight {
 public:
     DirectLight(const Scene& scene, const Emission& emission, const MirrorImages& images);
 
-    /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate +
-    /// result.size()), lx per channel.
+    /// @param keeps_terms  whether the known light is wanted by luminaire
+    [[nodiscard]] DirectPlan plan(const Receiver& receiver,
+                                  std::uint64_t receiver_index,
+                                  std::uint64_t seed,
+                                  bool keeps_terms,
+                                  std::uint64_t& rays) const;
+
+    /// Whether every unit and replicate of a plan gives the same value, without a ray.
+    [[nodiscard]] bool is_exact(const DirectPlan& plan) const noexcept;
+
+    /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate + number of
+    /// totals), lx per channel: adds to the ledger, whose "points" are the replicates.
+    void estimate(const Receiver& receiver,
+                  const DirectPlan& plan,
+                  std::uint64_t receiver_index,
+                  std::uint64_t seed,
+                  std::uint32_t unit,
+                  std::uint32_t first_replicate,
+                  const LightLedger& ledger,
+                  std::uint64_t& rays) const;
+
+    /// One unit of a receiver whose plan is not kept. @param result  one a replicate,
+    /// overwritten
     void estimate(const Receiver& receiver,
                   std::uint64_t receiver_index,
                   std::uint64_t seed,
@@ -30,24 +85,36 @@ public:
                   std::uint64_t& rays) const;
 
 private:
-    struct Randomness;
+    struct Task;
 
     [[nodiscard]] bool is_point_like(std::size_t luminaire, const Point3& at) const noexcept;
-    void add_opening(const Receiver& receiver,
-                     const Point3& clear,
-                     std::size_t luminaire,
-                     const Randomness& randomness,
-                     std::span<Rgb> result,
+    [[nodiscard]] bool is_wholly_visible(std::size_t luminaire, const Point3& clear) const;
+    [[nodiscard]] std::vector<std::uint32_t> choose(const Receiver& receiver,
+                                                    DirectPlan& plan) const;
+    void plan_points(const Task& task,
+                     std::span<const std::uint32_t> luminaires,
+                     DirectPlan& plan,
                      std::uint64_t& rays) const;
-    void add_images(const Receiver& receiver,
-                    const Point3& at,
-                    const Randomness& randomness,
-                    std::span<Rgb> result,
-                    std::uint64_t& rays) const;
+    void plan_opening(const Task& task,
+                      std::uint32_t luminaire,
+                      DirectPlan& plan,
+                      std::uint64_t& rays) const;
+    void plan_images(const Task& task, DirectPlan& plan, std::uint64_t& rays) const;
+    void add_opening(const Task& task,
+                     const DirectPlan::Opening& opening,
+                     const LightLedger& ledger,
+                     std::uint64_t& rays) const;
+    void add_tail(const Task& task,
+                  const DirectPlan& plan,
+                  const LightLedger& ledger,
+                  std::uint64_t& rays) const;
+    void add_images(const Task& task, const LightLedger& ledger, std::uint64_t& rays) const;
 
     const Scene* scene_;
     const Emission* emission_;
     const MirrorImages* images_;
+    ClearView view_;
+    bool samples_images_ = false; ///< openings are seen in imaged mirrors
 };
 
 } // namespace isolux

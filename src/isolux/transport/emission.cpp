@@ -16,6 +16,10 @@ constexpr double pi = std::numbers::pi;
 /// Up to this many luminaires every one is weighed for every place.
 constexpr std::size_t few_luminaires = 64;
 
+/// Share of its mean intensity that a luminaire is picked with in every direction: whatever the
+/// size of its opening, no light is left out.
+constexpr double least_share = 0.1;
+
 /// Solid angle above which a flat rectangle is also sampled in solid angle (METHODS, "Openings
 /// with a photometric table"), sr.
 constexpr double large_solid_angle = 0.05;
@@ -48,6 +52,25 @@ double facet_weight(const Facet& f, const Point3& place) noexcept {
     return f.area * (0.1 + height / length(d));
 }
 
+/// Largest intensities by cosine to the axis, from those by angle.
+std::array<float, 32> glow_of(const LightBounds& b) {
+    std::array<float, 32> glow;
+    const auto band = [](double cosine) {
+        const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+        return std::min(
+            LightBounds::bands - 1,
+            static_cast<std::size_t>(angle / pi * static_cast<double>(LightBounds::bands)));
+    };
+    for (std::size_t i = 0; i < glow.size(); ++i) {
+        const double cosine = -1.0 + static_cast<double>(i) / 16.0;
+        double most = 0.0;
+        for (std::size_t k = band(cosine + 1.0 / 16.0); k <= band(cosine); ++k)
+            most = std::max(most, b.largest[k]);
+        glow[i] = static_cast<float>(most);
+    }
+    return glow;
+}
+
 } // namespace
 
 Emission::Emission(const Scene& scene) : scene_(&scene) {
@@ -60,6 +83,9 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
         table_of_type[t] = tables_.size();
         tables_.emplace_back(file->distribution);
     }
+    std::vector<TypeLight> types;
+    for (const LuminaireType& type : scene.luminaire_types)
+        types.push_back(describe_type(type));
     for (const Luminaire& l : scene.luminaires) {
         Source s;
         s.type = &scene.type_of(l);
@@ -70,11 +96,16 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
         s.radius_squared = 0.25 * l.opening.largest_dimension * l.opening.largest_dimension;
         for (const Facet& f : l.opening.facets)
             s.area += f.area;
+        const LightBounds bounds = bound_luminaire(l, types[l.placement.type.index()]);
+        s.axis = bounds.axis;
+        s.floor = least_share * s.flux / (4.0 * pi);
+        s.glow = glow_of(bounds);
         total_flux_ += s.flux;
         cumulative_flux_.push_back(total_flux_);
         sources_.push_back(s);
     }
-    picks_by_distance_ = sources_.size() > 1 && sources_.size() <= few_luminaires;
+    if (sources_.size() > few_luminaires)
+        tree_.emplace(scene);
 }
 
 EmissionPoint Emission::place_on_solid(std::size_t luminaire,
@@ -137,13 +168,17 @@ EmissionSample Emission::sample_emission(double u_luminaire,
 
 double Emission::pick_weight(std::size_t luminaire, const Point3& place) const noexcept {
     const Source& s = sources_[luminaire];
-    return s.flux / (length_squared(place - s.centre) + s.radius_squared + 1e-4);
+    const Vector3 d = place - s.centre;
+    const double d2 = length_squared(d);
+    const double cosine = d2 > 0.0 ? dot(s.axis, d) / std::sqrt(d2) : 1.0;
+    const auto cell = static_cast<std::size_t>(std::clamp(16.0 * (cosine + 1.0), 0.0, 31.0));
+    return (s.floor + static_cast<double>(s.glow[cell])) / (d2 + s.radius_squared + 1e-4);
 }
 
 Emission::Pick Emission::pick_luminaire(const Point3& place, double u) const noexcept {
-    if (!picks_by_distance_) {
-        const std::size_t l = sample_cumulative(cumulative_flux_, u).index;
-        return {l, sources_[l].flux / total_flux_};
+    if (tree_) {
+        const LightTree::Pick pick = tree_->pick(place, u);
+        return {pick.luminaire, pick.probability};
     }
     std::array<double, few_luminaires> weights;
     double sum = 0.0;
@@ -165,8 +200,8 @@ Emission::Pick Emission::pick_luminaire(const Point3& place, double u) const noe
 }
 
 double Emission::pick_probability(std::size_t luminaire, const Point3& place) const noexcept {
-    if (!picks_by_distance_)
-        return sources_[luminaire].flux / total_flux_;
+    if (tree_)
+        return tree_->probability(place, luminaire);
     double sum = 0.0;
     for (std::size_t i = 0; i < sources_.size(); ++i)
         sum += pick_weight(i, place);
@@ -247,6 +282,8 @@ TowardsSample Emission::sample_towards(const Point3& place,
                                        double u,
                                        double v) const noexcept {
     const Pick pick = pick_luminaire(place, u_luminaire);
+    if (!(pick.probability > 0.0))
+        return {};
     const OpeningView opening = view(pick.luminaire, place);
     const EmissionPoint from = opening.sample(u, v);
     return {from, pick.probability * opening.pdf(from)};

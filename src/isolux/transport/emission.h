@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "isolux/sampling/warp.h"
 #include "isolux/scene/scene.h"
+#include "isolux/transport/light_tree.h"
 #include "isolux/transport/table_sampler.h"
 
 namespace isolux {
@@ -81,8 +83,12 @@ public:
         return {scene_->luminaires[luminaire], luminaire, place};
     }
 
+    /// The luminaires' light tree, where they are many; else null.
+    [[nodiscard]] const LightTree* tree() const noexcept { return tree_ ? &*tree_ : nullptr; }
+
     /// A point on some luminaire for the light that falls on `place`. Luminaires are picked by
-    /// flux over squared distance where they are few, by flux where they are many.
+    /// their intensity towards it over squared distance where they are few, by the light tree
+    /// where they are many.
     [[nodiscard]] TowardsSample
     sample_towards(const Point3& place, double u_luminaire, double u, double v) const noexcept;
 
@@ -124,6 +130,10 @@ private:
         double area = 0.0;                   ///< m2 of all facets
         Point3 centre;
         double radius_squared = 0.0;
+        UnitVector3 axis;   ///< its light is spread about this
+        double floor = 0.0; ///< cd; every direction counts at least so much when picking
+        std::array<float, 32>
+            glow{}; ///< cd, at least the intensity by cosine to the axis, from -1
     };
 
     const Scene* scene_;
@@ -131,7 +141,7 @@ private:
     std::vector<Source> sources_;
     std::vector<double> cumulative_flux_;
     double total_flux_ = 0.0;
-    bool picks_by_distance_ = false;
+    std::optional<LightTree> tree_; ///< where luminaires are many
 };
 
 } // namespace isolux

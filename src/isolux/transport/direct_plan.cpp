@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <bit>
+#include <queue>
+
+#include "isolux/transport/direct_task.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/opening_light.h"
+#include "isolux/transport/response.h"
+
+namespace isolux {
+
+namespace {
+
+/// An opening smaller than the distance by this factor counts as a point: the error of that is
+/// below 1 / (4 x 40^2) = 0.016 % (METHODS "Point model").
+constexpr double point_like_ratio = 40.0;
+
+/// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked
+/// at one by one.
+constexpr double negligible = 1e-4;
+
+/// Draws from the tail, more where it may matter.
+constexpr double draws_per_share = 256.0;
+constexpr double most_draws = 16.0;
+
+} // namespace
+
+DirectLight::DirectLight(const Scene& scene,
+                         const Emission& emission,
+                         const MirrorImages& images)
+    : scene_(&scene), emission_(&emission), images_(&images), view_(scene) {
+    if (!images.chains().empty())
+        for (const Luminaire& l : scene.luminaires)
+            samples_images_ = samples_images_ || l.opening.form != OpeningForm::point;
+}
+
+bool DirectLight::is_point_like(std::size_t luminaire, const Point3& at) const noexcept {
+    const Luminaire& l = emission_->luminaire(luminaire);
+    if (l.opening.form == OpeningForm::point)
+        return true;
+    const double reach = point_like_ratio * l.opening.largest_dimension;
+    return length_squared(at - l.placement.world_from_luminaire.origin) > reach * reach;
+}
+
+bool DirectLight::is_exact(const DirectPlan& plan) const noexcept {
+    return plan.openings.empty() && plan.tail.empty() && !samples_images_;
+}
+
+/// Luminaires that are looked at one by one; the others go to the plan's tail. The brightest
+/// parts of the light tree are split until what is left is negligible.
+std::vector<std::uint32_t> DirectLight::choose(const Receiver& receiver,
+                                               DirectPlan& plan) const {
+    std::vector<std::uint32_t> chosen;
+    const LightTree* tree = emission_->tree();
+    if (tree == nullptr) {
+        for (std::uint32_t l = 0; l < emission_->luminaires(); ++l)
+            if (in_lumen(emission_->luminaire(l).flux) > 0.0)
+                chosen.push_back(l);
+        return chosen;
+    }
+    const auto nodes = tree->nodes();
+    std::priority_queue<std::pair<double, std::uint32_t>> waiting;
+    const auto add = [&](std::uint32_t node) {
+        const double bound = upper_bound(nodes[node].bounds, receiver);
+        if (bound > 0.0)
+            waiting.emplace(bound, node);
+    };
+    if (!nodes.empty())
+        add(0);
+    double sum = 0.0;
+    while (!waiting.empty() && waiting.top().first > negligible * sum) {
+        const auto [bound, node] = waiting.top();
+        waiting.pop();
+        if (nodes[node].is_leaf()) {
+            chosen.push_back(nodes[node].luminaire);
+            sum += bound;
+        } else {
+            add(nodes[node].left);
+            add(nodes[node].left + 1);
+        }
+    }
+    for (; !waiting.empty(); waiting.pop()) {
+        plan.tail.push_back({waiting.top().second, waiting.top().first});
+        plan.tail_bound += waiting.top().first;
+    }
+    if (!plan.tail.empty())
+        plan.tail_draws = static_cast<std::uint32_t>(std::clamp(
+            draws_per_share * plan.tail_bound / (plan.tail_bound + sum), 1.0, most_draws));
+    std::ranges::sort(chosen);
+    return chosen;
+}
+
+DirectPlan DirectLight::plan(const Receiver& receiver,
+                             std::uint64_t receiver_index,
+                             std::uint64_t seed,
+                             bool keeps_terms,
+                             std::uint64_t& rays) const {
+    DirectPlan plan;
+    plan.is_made = true;
+    if (emission_->total_flux() <= 0.0)
+        return plan;
+    const Task task{
+        receiver, clear_point(*scene_, receiver), seed, receiver_index, 0, 0, keeps_terms};
+    std::vector<std::uint32_t> points;
+    for (const std::uint32_t l : choose(receiver, plan)) {
+        if (is_point_like(l, task.clear))
+            points.push_back(l);
+        else
+            plan_opening(task, l, plan, rays);
+    }
+    plan_points(task, points, plan, rays);
+    plan_images(task, plan, rays);
+    return plan;
+}
+
+/// One ray each, the same value for every replicate.
+void DirectLight::plan_points(const Task& task,
+                              std::span<const std::uint32_t> luminaires,
+                              DirectPlan& plan,
+                              std::uint64_t& rays) const {
+    std::array<SightSegment, packet_size> segments;
+    std::array<float, packet_size> visible{};
+    std::array<double, packet_size> values{};
+    std::array<std::uint32_t, packet_size> who{};
+    std::size_t n = 0;
+    const auto flush = [&] {
+        if (n == 0)
+            return;
+        scene_->caster.transmittance16(
+            std::span(segments).first(n), (1U << n) - 1U, std::span(visible).first(n));
+        rays += n;
+        for (std::size_t i = 0; i < n; ++i)
+            if (visible[i] > 0.0F)
+                task.keep(plan,
+                          who[i],
+                          (static_cast<double>(visible[i]) * values[i])
+                              * emission_->colour(who[i]));
+        n = 0;
+    };
+    for (const std::uint32_t l : luminaires) {
+        const Luminaire& luminaire = emission_->luminaire(l);
+        const Point3 at = evaluation_point(luminaire, task.receiver, task.clear);
+        const Point3 centre = luminaire.placement.world_from_luminaire.origin;
+        const UnitVector3 w(at - centre);
+        const double response = evaluate_response(task.receiver, -w);
+        if (response <= 0.0)
+            continue;
+        const Frame& frame = luminaire.placement.world_from_luminaire;
+        const double intensity =
+            luminaire.placement.scale
+            * in_candela(luminous_intensity(scene_->type_of(luminaire),
+                                            UnitVector3::from_unit(frame.vector_to_local(w))));
+        if (intensity <= 0.0)
+            continue;
+        values[n] = intensity * response / length_squared(at - centre);
+        who[n] = l;
+        segments[n] = {task.clear,
+                       luminaire.opening.form == OpeningForm::solid
+                           ? emission_->view(l, at).sample(0.5, 0.5).position
+                           : emission_->departure({l, 0, centre}, w)};
+        if (++n == packet_size)
+            flush();
+    }
+    flush();
+}
+
+bool DirectLight::is_wholly_visible(std::size_t luminaire, const Point3& clear) const {
+    const Opening& opening = emission_->luminaire(luminaire).opening;
+    std::vector<Point3> polygon;
+    for (const Facet& facet : opening.facets) {
+        const bool is_front = dot(facet.normal, clear - facet.vertices.front()) > 0.0;
+        if (!is_front && opening.form == OpeningForm::solid)
+            continue;
+        const Vector3 side = is_front ? Vector3(facet.normal) : -Vector3(facet.normal);
+        polygon.clear();
+        for (const Point3& p : facet.vertices)
+            polygon.push_back(scene_->caster.offset_point(p, side));
+        if (!view_.is_clear(clear, polygon))
+            return false;
+    }
+    return true;
+}
+
+void DirectLight::plan_opening(const Task& task,
+                               std::uint32_t luminaire,
+                               DirectPlan& plan,
+                               std::uint64_t& rays) const {
+    const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, luminaire);
+    const std::optional<double> unshadowed = light.unshadowed();
+    if (unshadowed && *unshadowed <= 0.0)
+        return;
+    DirectPlan::Opening opening{luminaire, 1.0F, false, unshadowed.value_or(-1.0)};
+    opening.is_clear = is_wholly_visible(luminaire, task.clear);
+    if (opening.is_clear && unshadowed) {
+        task.keep(plan, luminaire, *unshadowed * emission_->colour(luminaire));
+        return;
+    }
+    if (!opening.is_clear) {
+        // Pilot: which share of the opening is visible. It only steers.
+        std::array<SightSegment, packet_size> segments;
+        std::array<float, packet_size> visible{};
+        const auto numbers = task.pair(luminaire, pilot_replicate, 0);
+        std::uint32_t wanted = 0;
+        for (std::uint32_t i = 0; i < pilot_rays; ++i) {
+            const auto [u, v] = numbers(i);
+            const Look k = light.look(u, v);
+            segments[i] = {task.clear, k.departure};
+            if (k.response > 0.0)
+                wanted |= 1U << i;
+        }
+        if (wanted != 0) {
+            scene_->caster.transmittance16(std::span(segments).first(pilot_rays),
+                                           wanted,
+                                           std::span(visible).first(pilot_rays));
+            rays += pilot_rays;
+        }
+        float seen = 0.0F;
+        for (std::uint32_t i = 0; i < pilot_rays; ++i)
+            if ((wanted >> i & 1U) != 0)
+                seen += visible[i];
+        opening.visible_share =
+            wanted != 0 ? seen / static_cast<float>(std::popcount(wanted)) : 0.0F;
+    }
+    plan.openings.push_back(opening);
+}
+
+void DirectLight::plan_images(const Task& task, DirectPlan& plan, std::uint64_t& rays) const {
+    for (const auto& chain : images_->chains()) {
+        const Point3 image = image_of(*images_, chain, task.clear);
+        for (std::size_t l = 0; l < emission_->luminaires(); ++l) {
+            if (emission_->luminaire(l).opening.form != OpeningForm::point
+                || !may_reflect(*images_, chain.back(), emission_->luminaire(l), image))
+                continue;
+            const double e = image_light(*scene_,
+                                         *emission_,
+                                         *images_,
+                                         chain,
+                                         task.receiver,
+                                         task.clear,
+                                         emission_->view(l, image),
+                                         {0.5, 0.5},
+                                         rays);
+            if (e > 0.0)
+                task.keep(plan, l, e * emission_->colour(l));
+        }
+    }
+}
+
+} // namespace isolux

@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "isolux/transport/direct_light.h"
+#include "isolux/transport/opening_light.h"
+#include "isolux/transport/response.h"
+
+#include "support/random_luminaires.h"
+#include "support/statistics.h"
+
+namespace isolux {
+namespace {
+
+using test::NormalDraws;
+
+/// A small black triangle far below: scenes want something to hit.
+void add_speck(test::Builder& b) {
+    b.add_triangle({0, 0, -900}, {1, 0, -900}, {0, 1, -900}, b.add_diffuse(0.0));
+}
+
+Scene random_scene(NormalDraws& random, std::size_t luminaires, double half_side) {
+    test::Builder b;
+    add_speck(b);
+    for (std::size_t i = 0; i < luminaires; ++i)
+        test::add_random_luminaire(b, random, half_side);
+    return b.build();
+}
+
+/// One point of every luminaire's opening looked at: how much its light would be if all of it
+/// came from there. Its mean over the opening is the illuminance, so that its bound is one.
+/// Solid openings share their light by facets; each facet's part is bounded apart and added.
+double light_of_places(const Emission& emission,
+                       const Receiver& receiver,
+                       std::size_t luminaire,
+                       NormalDraws& random,
+                       double& nearest) {
+    const Opening& opening = emission.luminaire(luminaire).opening;
+    const std::size_t parts = std::max<std::size_t>(1, opening.facets.size());
+    double sum = 0.0;
+    for (std::size_t f = 0; f < parts; ++f) {
+        EmissionPoint from{
+            luminaire, f, emission.luminaire(luminaire).placement.world_from_luminaire.origin};
+        double area = 1.0;
+        if (opening.form != OpeningForm::point) {
+            area = opening.facets[f].area;
+            const double u = random.uniform();
+            from.position = sample_polygon(opening.facets[f].vertices, u, random.uniform());
+        }
+        const Vector3 d = receiver.point - from.position;
+        nearest = std::min(nearest, length(d));
+        const UnitVector3 w(d);
+        sum += area * emission.evaluate(from, w) * evaluate_response(receiver, -w)
+               / length_squared(d);
+    }
+    return sum;
+}
+
+/// METHODS eq. (14): 20 000 random configurations, the receiver inside the node in about half
+/// of them.
+TEST(LightBounds, AreNeverBelowTheLight) {
+    NormalDraws random(1);
+    std::size_t bright = 0;
+    for (int scenes = 0; scenes < 500; ++scenes) {
+        const std::size_t count = 1 + static_cast<std::size_t>(5.0 * random.uniform());
+        const Scene scene = random_scene(random, count, 1.0 + random.uniform());
+        const Emission emission(scene);
+        const LightTree tree(scene);
+        for (int i = 0; i < 40; ++i) {
+            const Receiver receiver = test::random_receiver(random, i % 2 == 0 ? 1.5 : 8.0);
+            for (const LightTree::Node& node : tree.nodes()) {
+                if (!node.is_leaf() && &node != tree.nodes().data())
+                    continue;
+                double light = 0.0;
+                double nearest = 1.0;
+                for (std::size_t l = 0; l < count; ++l)
+                    if (!node.is_leaf() || node.luminaire == l)
+                        light += light_of_places(emission, receiver, l, random, nearest);
+                if (nearest < 1e-3)
+                    continue;
+                const double bound = upper_bound(node.bounds, receiver);
+                EXPECT_LE(light, bound * (1.0 + 1e-6)) << scenes << ' ' << i;
+                bright += light > 0.0 ? 1U : 0U;
+            }
+        }
+    }
+    EXPECT_GT(bright, 20000U); // the statement was put to the test
+}
+
+/// A bound that is always valid may still be useless: for one luminaire on its own axis it is
+/// the light itself, but for the band's width and the opening's size.
+TEST(LightBounds, AreTightFarOnTheAxis) {
+    test::Builder b;
+    add_speck(b);
+    b.add_panel({-0.3, -0.3, 0}, {0, 0.6, 0}, {0.6, 0, 0}, 1000.0 * std::numbers::pi);
+    const Scene scene = b.build();
+    const LightBounds bounds =
+        bound_luminaire(scene.luminaires[0], describe_type(scene.luminaire_types[0]));
+    const Receiver receiver{{0, 0, -20}, UnitVector3::from_unit({0, 0, 1})};
+    const double light = 1000.0 / 400.0;
+    EXPECT_GE(upper_bound(bounds, receiver), light);
+    EXPECT_LE(upper_bound(bounds, receiver), 1.05 * light);
+}
+
+TEST(LightTree, HoldsEveryLuminaireThatShinesOnce) {
+    NormalDraws random(2);
+    Scene scene = random_scene(random, 300, 30.0);
+    scene.luminaires[7].flux = Lumen(0.0);
+    const LightTree tree(scene);
+    std::vector<int> found(300, 0);
+    for (const LightTree::Node& node : tree.nodes())
+        if (node.is_leaf())
+            ++found[node.luminaire];
+    for (std::size_t l = 0; l < 300; ++l)
+        EXPECT_EQ(found[l], l == 7 ? 0 : 1) << l;
+}
+
+/// Frequencies against probabilities, chi-square with a false alarm of 1e-8. Where neither part
+/// of a node can light the place although the node's looser bound says so, nobody is picked.
+TEST(LightTree, PicksWithTheProbabilitiesItTells) {
+    NormalDraws random(3);
+    const Scene scene = random_scene(random, 100, 10.0);
+    const LightTree tree(scene);
+    for (int i = 0; i < 5; ++i) {
+        const Point3 place = test::random_point(random, 12.0);
+        constexpr int draws = 200000;
+        std::vector<double> counts(101, 0.0); // the last one: nobody
+        for (int k = 0; k < draws; ++k) {
+            const LightTree::Pick pick = tree.pick(place, random.uniform());
+            counts[pick.probability > 0.0 ? pick.luminaire : 100] += 1.0;
+            if (pick.probability > 0.0) {
+                ASSERT_NEAR(pick.probability, tree.probability(place, pick.luminaire), 1e-12);
+            }
+        }
+        std::vector<double> probabilities;
+        double nobody = 1.0;
+        for (std::size_t l = 0; l < 100; ++l) {
+            probabilities.push_back(tree.probability(place, l));
+            nobody -= probabilities.back();
+        }
+        EXPECT_GT(nobody, -1e-12);
+        probabilities.push_back(nobody);
+        std::vector<double> observed{0.0}; // the rare ones together
+        std::vector<double> expected{0.0};
+        for (std::size_t l = 0; l < counts.size(); ++l) {
+            const double mean = draws * probabilities[l];
+            if (mean >= 5.0) {
+                observed.push_back(counts[l]);
+                expected.push_back(mean);
+            } else {
+                observed[0] += counts[l];
+                expected[0] += mean;
+            }
+        }
+        if (expected[0] < 5.0) {
+            EXPECT_LT(observed[0], 40.0);
+            observed.erase(observed.begin());
+            expected.erase(expected.begin());
+        }
+        EXPECT_GT(test::chi_square_tail(observed, expected), test::chi_square_false_alarm);
+    }
+}
+
+/// Whoever can light a place can be picked: from the tree and from a short list alike.
+TEST(NextEventPick, LeavesNoLightOut) {
+    NormalDraws random(4);
+    for (const std::size_t count : {std::size_t{5}, std::size_t{80}})
+        for (int scenes = 0; scenes < 20; ++scenes) {
+            const Scene scene = random_scene(random, count, 4.0);
+            const Emission emission(scene);
+            for (int i = 0; i < 50; ++i) {
+                Receiver receiver{test::random_point(random, 6.0), {}};
+                receiver.kind = IlluminanceKind::mean_spherical;
+                for (std::size_t l = 0; l < count; ++l) {
+                    const OpeningView view = emission.view(l, receiver.point);
+                    const double u = random.uniform();
+                    const EmissionPoint from = view.sample(u, random.uniform());
+                    const UnitVector3 w(receiver.point - from.position);
+                    if (emission.evaluate(from, w) > 0.0 && view.pdf(from) > 0.0) {
+                        EXPECT_GT(emission.pdf_towards(receiver.point, from), 0.0) << l;
+                    }
+                }
+            }
+        }
+}
+
+/// A row of 400 lamps: for a receiver at one end most are negligible and drawn from the tree.
+/// Against the sum of all, z-test over 64 seeds.
+TEST(DirectLightUnderManyLuminaires, IsTheSumOfAll) {
+    test::Builder b;
+    add_speck(b);
+    const LuminaireTypeId lamp = b.add_isotropic_type(1000.0);
+    for (int i = 0; i < 400; ++i)
+        b.add_point({1.0 * i, 0.0, 2.0}, lamp);
+    const Scene scene = b.build();
+    const Emission emission(scene);
+    const MirrorImages images(scene);
+    const DirectLight direct(scene, emission, images);
+    const Receiver receiver{{0, 0, 0}, UnitVector3::from_unit({0, 0, 1})};
+    double sum = 0.0;
+    for (const Luminaire& l : scene.luminaires) {
+        const Vector3 d = l.placement.world_from_luminaire.origin - receiver.point;
+        sum += 1000.0 / (4.0 * std::numbers::pi) * d.z / std::pow(length(d), 3.0);
+    }
+    std::uint64_t rays = 0;
+    std::size_t tail_draws = 0;
+    const Estimate e = test::over_seeds([&](std::size_t seed) {
+        const DirectPlan plan = direct.plan(receiver, 0, seed, false, rays);
+        EXPECT_FALSE(plan.tail.empty());
+        tail_draws += plan.tail_draws;
+        Rgb light;
+        direct.estimate(receiver, plan, 0, seed, 0, 0, {{&light, 1}, {}, {}}, rays);
+        return luminance_sum(light);
+    });
+    EXPECT_GT(e.standard_error, 0.0);
+    EXPECT_LT(e.standard_error, 1e-3 * sum);
+    EXPECT_LT(std::abs(test::z_score(e, sum)), test::z_limit) << e.mean << " for " << sum;
+    // Neither the far lamps nor the bounds of their groups cost a ray each.
+    EXPECT_LT(static_cast<double>(rays), 64.0 * 150.0);
+    EXPECT_GE(tail_draws, 64U);
+}
+
+} // namespace
+} // namespace isolux
