@@ -30,6 +30,7 @@ constexpr std::array verbs{
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},
     Verb{"schema", add_schema},
+    Verb{"photometry", add_photometry},
 };
 
 constexpr const char* top_level_footer = R"(
@@ -37,6 +38,7 @@ Examples:
   isolux run projects/open-office         calculate everything in a project
   isolux check office.json                what is wrong or odd in it
   echo "2 3 0.75 0 0 1" | isolux sense office.json
+  isolux photometry info desk.ies         what a luminaire file says
   isolux selftest                         compare the engine with known answers
   isolux run --help                       options and examples of a verb
 

@@ -134,6 +134,11 @@ std::string first_label(const IesDocument& d) {
     return found == d.labels.end() ? std::string{} : found->text;
 }
 
+std::string find_date(const IesDocument& d) {
+    const std::string issued = find_text(d, "ISSUEDATE");
+    return issued.empty() ? find_text(d, "DATE") : issued;
+}
+
 std::vector<LampSet> make_lamp_sets(const IesDocument& d, bool is_absolute) {
     LampSet set;
     set.lamps =
@@ -192,6 +197,9 @@ to_photometry(const IesDocument& d, const PhotometryOptions& options, Findings& 
             .manufacturer = find_text(d, "MANUFAC"),
             .name = name.empty() && d.format == lm63_1986 ? first_label(d) : name,
             .catalogue_number = find_text(d, "LUMCAT"),
+            .report = find_text(d, "TEST"),
+            .laboratory = find_text(d, "TESTLAB"),
+            .date = find_date(d),
             .distribution = std::move(table.distribution),
             .opening = opening,
             .housing = opening,

@@ -235,6 +235,8 @@ to_photometry(const LdtDocument& d, const PhotometryOptions& options, Findings& 
             .manufacturer = d.company,
             .name = d.name,
             .catalogue_number = d.number,
+            .report = d.report,
+            .date = d.date_and_user,
             .distribution = std::move(distribution),
             .opening = bodies.opening,
             .housing = bodies.housing,

@@ -66,6 +66,10 @@ struct LuminairePhotometry {
     std::string manufacturer;
     std::string name;
     std::string catalogue_number;
+    std::string report = {};         ///< number of the test report
+    std::string laboratory = {};     ///< who measured
+    std::string date = {};           ///< as the file writes it
+    std::string contained_file = {}; ///< GLDF: the file in the container that has the light
     IntensityDistribution distribution;
     LuminousOpening opening; ///< placed as METHODS says: LM-63 length along x, EULUMDAT along y
     LuminousOpening housing; ///< body; the opening again where the file tells no more

@@ -148,6 +148,13 @@ std::array<double, 5> cie_flux_code(const LuminairePhotometry& l) {
     return code;
 }
 
+Candela intensity_towards(const LuminairePhotometry& l, Angle plane, Angle gamma) {
+    const IntensityDistribution& d = l.distribution;
+    return d.pole() == TablePole::nadir // the table's own angles: exact at its nodes
+               ? d.evaluate(plane, gamma)
+               : d.evaluate(towards(plane.in_radians(), gamma.in_radians()));
+}
+
 MaximumIntensity find_maximum(const IntensityDistribution& d) {
     for (std::size_t p = 0; p < d.planes().size(); ++p)
         for (std::size_t g = 0; g < d.gammas().size(); ++g) {

@@ -51,6 +51,10 @@ downward_light_output_ratio(const LuminairePhotometry& luminaire);
 
 // ---- intensity ---------------------------------------------------------------------------
 
+/// Towards azimuth C and gamma of the luminaire's frame, whatever axes its table has.
+[[nodiscard]] Candela
+intensity_towards(const LuminairePhotometry& luminaire, Angle plane, Angle gamma);
+
 struct MaximumIntensity {
     Candela value;
     Angle plane; ///< C, 0 <= C < 2 pi; the first of equals
