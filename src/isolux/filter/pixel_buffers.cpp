@@ -9,7 +9,8 @@ namespace {
 void allocate(PixelSurface& surface, std::size_t pixels) {
     surface.object.assign(pixels, 0);
     surface.normal.assign(pixels, 0.0F);
-    surface.reflected.assign(pixels, 0.0F);
+    surface.reflected_a.assign(pixels, 0.0F);
+    surface.reflected_b.assign(pixels, 0.0F);
 }
 
 void allocate(PixelGeometry& geometry, std::size_t pixels) {
@@ -62,7 +63,7 @@ PixelBuffers make_pixel_buffers(PictureSize size, std::vector<LightLayer> lights
 }
 
 std::size_t bytes_a_pixel(const PixelBuffers& buffers) noexcept {
-    constexpr std::size_t surface = 1 + 3 + 3;
+    constexpr std::size_t surface = 1 + 3 + 2 * 3;
     constexpr std::size_t geometry = 2 * surface + 3 * 3 + 6;
     constexpr std::size_t indirect = 2 * 3 + 3;
     constexpr std::size_t remainder = 2 * 3;

@@ -10,7 +10,7 @@ namespace {
 std::size_t floats(const Planes3& p) { return p.x.size() + p.y.size() + p.z.size(); }
 
 std::size_t floats(const PixelSurface& s) {
-    return s.object.size() + floats(s.normal) + floats(s.reflected);
+    return s.object.size() + floats(s.normal) + floats(s.reflected_a) + floats(s.reflected_b);
 }
 
 std::size_t floats(const PixelGeometry& g) {
@@ -40,7 +40,7 @@ TEST(PixelBuffers, TakeAsManyBytesAPixelAsTheySay) {
     lights[2].merged = true;
     const PixelBuffers buffers = make_pixel_buffers({7, 5}, std::move(lights));
     EXPECT_EQ(bytes_a_pixel(buffers) * 35, 4 * floats(buffers));
-    EXPECT_EQ(bytes_a_pixel(buffers), 176U + 28U + 28U + 32U);
+    EXPECT_EQ(bytes_a_pixel(buffers), 200U + 28U + 28U + 32U);
 }
 
 TEST(PixelBuffers, StartWithNothingSeenAndNothingShaded) {
