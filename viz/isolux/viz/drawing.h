@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -38,6 +39,7 @@ struct Shape {
     Ends ends = Ends::closed;
     std::optional<Colour> fill;
     std::optional<Stroke> stroke;
+    double opacity = 1.0; ///< of the fill
 };
 
 enum class Anchor { start, middle, end };
@@ -61,14 +63,25 @@ struct Clip {
 
 struct EndClip {};
 
+/// A PNG picture, stretched over a rectangle.
+struct Picture {
+    std::string png; ///< the file's bytes
+    Point2 at;       ///< upper left corner
+    double width = 0.0;
+    double height = 0.0;
+};
+
 /// A page in millimetres: x to the right, y down. A plain list, painted in order; the same
-/// list becomes SVG and PNG.
+/// list becomes SVG, PNG and PDF.
 struct Drawing {
     double width = 0.0;
     double height = 0.0;
     std::string title; ///< for screen readers and file lists
-    std::vector<std::variant<Shape, Text, Clip, EndClip>> items;
+    std::vector<std::variant<Shape, Text, Clip, EndClip, Picture>> items;
 };
+
+/// Adds everything of `inner` to `page`, its upper left corner at `at`, `scale` times as large.
+void place(Drawing& page, const Drawing& inner, const Point2& at, double scale);
 
 /// How wide text is in the face that is drawn with (DejaVu Sans). Ask it while laying out.
 class FontRuler {
@@ -100,8 +113,29 @@ inline constexpr double cap_height = 0.73;
 /// @throws DeviceError  if cairo cannot (memory, page above 32767 pixels)
 [[nodiscard]] std::string to_png(const Drawing& drawing, double dots_per_inch = 200.0);
 
+/// PDF with one page a drawing, real text and a bookmark for each page whose title differs from
+/// the one before it. No dates: equal drawings give equal bytes on one machine.
+/// @throws DeviceError  if cairo cannot
+[[nodiscard]] std::string to_pdf(std::span<const Drawing> pages, const std::string& title);
+
+/// Pixels of a PNG's header; nothing if the bytes are no PNG.
+struct PixelSize {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+};
+
+[[nodiscard]] std::optional<PixelSize> png_size(std::string_view png);
+
+/// Bytes in the 64 letters of RFC 4648, for pictures inside SVG and HTML.
+[[nodiscard]] std::string to_base64(std::string_view bytes);
+
 /// Writes `stem`.svg and `stem`.png, each under a temporary name first.
 /// @throws WriteError
 void write_drawing(const std::filesystem::path& stem, const Drawing& drawing);
+
+/// Writes one file in the format its name ends in: .svg, .png or .pdf (in any letter case).
+/// @throws InputError  for another ending
+/// @throws WriteError
+void write_drawing_file(const std::filesystem::path& file, const Drawing& drawing);
 
 } // namespace isolux

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
@@ -74,6 +75,8 @@ public:
             fmt::format_to(at(), " fill=\"{}\" fill-rule=\"evenodd\"", colour(*s.fill));
         else
             out_ += " fill=\"none\"";
+        if (s.fill && s.opacity < 1.0)
+            fmt::format_to(at(), " fill-opacity=\"{}\"", number(s.opacity));
         if (s.stroke)
             write_stroke(*s.stroke);
         out_ += "/>\n";
@@ -99,6 +102,18 @@ public:
     }
 
     void operator()(const EndClip&) { out_ += "</g>\n"; }
+
+    void operator()(const Picture& p) {
+        fmt::format_to(at(),
+                       "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+                       "preserveAspectRatio=\"none\" "
+                       "xlink:href=\"data:image/png;base64,{}\"/>\n",
+                       number(p.at.x),
+                       number(p.at.y),
+                       number(p.width),
+                       number(p.height),
+                       to_base64(p.png));
+    }
 
 private:
     [[nodiscard]] Out at() { return std::back_inserter(out_); }
@@ -141,17 +156,23 @@ private:
 } // namespace
 
 std::string to_svg(const Drawing& drawing) {
+    const bool has_picture =
+        std::any_of(drawing.items.begin(), drawing.items.end(), [](const auto& item) {
+            return std::holds_alternative<Picture>(item);
+        });
     std::string out;
-    fmt::format_to(std::back_inserter(out),
-                   "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-                   "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" "
-                   "height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
-                   "font-family=\"'DejaVu Sans',Verdana,sans-serif\">\n"
-                   "<title>{2}</title>\n"
-                   "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-                   number(drawing.width),
-                   number(drawing.height),
-                   escape(drawing.title));
+    fmt::format_to(
+        std::back_inserter(out),
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\"{3} version=\"1.1\" width=\"{0}mm\" "
+        "height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
+        "font-family=\"'DejaVu Sans',Verdana,sans-serif\">\n"
+        "<title>{2}</title>\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+        number(drawing.width),
+        number(drawing.height),
+        escape(drawing.title),
+        has_picture ? " xmlns:xlink=\"http://www.w3.org/1999/xlink\"" : "");
     SvgWriter writer(out);
     for (const auto& item : drawing.items)
         std::visit(writer, item);

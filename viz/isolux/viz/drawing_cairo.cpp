@@ -1,8 +1,13 @@
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <string_view>
 
+#include <cairo-pdf.h>
 #include <cairo.h>
+#include <fmt/format.h>
 
 #include "isolux/base/error.h"
 #include "isolux/viz/drawing.h"
@@ -45,8 +50,8 @@ double advance(cairo_t* c, const std::string& text) {
     return extents.x_advance;
 }
 
-void set_colour(cairo_t* c, const Colour& colour) {
-    cairo_set_source_rgb(c, colour.r / 255.0, colour.g / 255.0, colour.b / 255.0);
+void set_colour(cairo_t* c, const Colour& colour, double opacity = 1.0) {
+    cairo_set_source_rgba(c, colour.r / 255.0, colour.g / 255.0, colour.b / 255.0, opacity);
 }
 
 void trace(cairo_t* c, const std::vector<Polyline>& lines, Ends ends) {
@@ -62,10 +67,31 @@ void trace(cairo_t* c, const std::vector<Polyline>& lines, Ends ends) {
     }
 }
 
+void expect_success(cairo_status_t status) {
+    if (status != CAIRO_STATUS_SUCCESS)
+        throw DeviceError(std::string("cannot paint the picture: ")
+                          + cairo_status_to_string(status));
+}
+
+enum class Letters { as_outlines, as_text };
+
+struct PngBytes {
+    std::string_view left;
+};
+
+cairo_status_t read_png(void* closure, unsigned char* data, unsigned int length) {
+    auto* bytes = static_cast<PngBytes*>(closure);
+    if (bytes->left.size() < length)
+        return CAIRO_STATUS_READ_ERROR;
+    std::memcpy(data, bytes->left.data(), length);
+    bytes->left.remove_prefix(length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
 /// Paints items with cairo, in millimetres.
 class CairoPainter {
 public:
-    explicit CairoPainter(cairo_t* c) : c_(c) {
+    CairoPainter(cairo_t* c, Letters letters) : c_(c), letters_(letters) {
         cairo_set_fill_rule(c_, CAIRO_FILL_RULE_EVEN_ODD);
         cairo_set_line_join(c_, CAIRO_LINE_JOIN_ROUND);
         use_plain_outlines(c_);
@@ -74,7 +100,7 @@ public:
     void operator()(const Shape& s) {
         trace(c_, s.lines, s.ends);
         if (s.fill) {
-            set_colour(c_, *s.fill);
+            set_colour(c_, *s.fill, s.opacity);
             cairo_fill_preserve(c_);
         }
         if (s.stroke) {
@@ -94,8 +120,10 @@ public:
         cairo_translate(c_, t.at.x, t.at.y);
         cairo_rotate(c_, -t.turn * std::acos(-1.0) / 180.0);
         const std::string text = printable(t.text);
-        cairo_move_to(c_, -shift * advance(c_, text), 0.0);
-        cairo_text_path(c_, text.c_str());
+        const double start = -shift * advance(c_, text);
+        cairo_move_to(c_, start, 0.0);
+        if (t.halo || letters_ == Letters::as_outlines)
+            cairo_text_path(c_, text.c_str());
         if (t.halo) {
             set_colour(c_, *t.halo);
             cairo_set_dash(c_, nullptr, 0, 0.0);
@@ -104,7 +132,14 @@ public:
         }
         set_colour(c_, t.colour);
         cairo_set_fill_rule(c_, CAIRO_FILL_RULE_WINDING);
-        cairo_fill(c_);
+        if (letters_ == Letters::as_outlines) {
+            cairo_fill(c_);
+        } else {
+            cairo_new_path(c_);
+            cairo_move_to(c_, start, 0.0);
+            cairo_show_text(c_, text.c_str());
+            cairo_new_path(c_);
+        }
         cairo_restore(c_);
     }
 
@@ -116,19 +151,29 @@ public:
 
     void operator()(const EndClip&) { cairo_restore(c_); }
 
+    void operator()(const Picture& p) {
+        PngBytes bytes{p.png};
+        const Handle<cairo_surface_t> image(
+            cairo_image_surface_create_from_png_stream(read_png, &bytes));
+        expect_success(cairo_surface_status(image.get()));
+        cairo_save(c_);
+        cairo_translate(c_, p.at.x, p.at.y);
+        cairo_scale(c_,
+                    p.width / cairo_image_surface_get_width(image.get()),
+                    p.height / cairo_image_surface_get_height(image.get()));
+        cairo_set_source_surface(c_, image.get(), 0.0, 0.0);
+        cairo_paint(c_);
+        cairo_restore(c_);
+    }
+
 private:
     cairo_t* c_;
+    Letters letters_;
 };
 
 cairo_status_t append(void* closure, const unsigned char* data, unsigned int length) {
     static_cast<std::string*>(closure)->append(reinterpret_cast<const char*>(data), length);
     return CAIRO_STATUS_SUCCESS;
-}
-
-void expect_success(cairo_status_t status) {
-    if (status != CAIRO_STATUS_SUCCESS)
-        throw DeviceError(std::string("cannot paint the picture: ")
-                          + cairo_status_to_string(status));
 }
 
 } // namespace
@@ -165,13 +210,51 @@ std::string to_png(const Drawing& drawing, double dots_per_inch) {
     cairo_set_source_rgb(context.get(), 1.0, 1.0, 1.0);
     cairo_paint(context.get());
     cairo_scale(context.get(), scale, scale);
-    CairoPainter painter(context.get());
+    CairoPainter painter(context.get(), Letters::as_outlines);
     for (const auto& item : drawing.items)
         std::visit(painter, item);
     expect_success(cairo_status(context.get()));
     std::string png;
     expect_success(cairo_surface_write_to_png_stream(surface.get(), append, &png));
     return png;
+}
+
+std::string to_pdf(std::span<const Drawing> pages, const std::string& title) {
+    constexpr double points_per_mm = 72.0 / 25.4;
+    std::string pdf;
+    const double width = pages.empty() ? 210.0 : pages.front().width;
+    const double height = pages.empty() ? 297.0 : pages.front().height;
+    const Handle<cairo_surface_t> surface(cairo_pdf_surface_create_for_stream(
+        append, &pdf, width * points_per_mm, height * points_per_mm));
+    cairo_pdf_surface_set_metadata(
+        surface.get(), CAIRO_PDF_METADATA_TITLE, printable(title).c_str());
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATOR, "isolux");
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+    const Handle<cairo_t> context(cairo_create(surface.get()));
+    std::string bookmark;
+    for (std::size_t k = 0; k < pages.size(); ++k) {
+        const Drawing& page = pages[k];
+        cairo_pdf_surface_set_size(
+            surface.get(), page.width * points_per_mm, page.height * points_per_mm);
+        if (page.title != bookmark && !page.title.empty())
+            cairo_pdf_surface_add_outline(surface.get(),
+                                          CAIRO_PDF_OUTLINE_ROOT,
+                                          printable(page.title).c_str(),
+                                          fmt::format("page={}", k + 1).c_str(),
+                                          CAIRO_PDF_OUTLINE_FLAG_OPEN);
+        bookmark = page.title;
+        cairo_save(context.get());
+        cairo_scale(context.get(), points_per_mm, points_per_mm);
+        CairoPainter painter(context.get(), Letters::as_text);
+        for (const auto& item : page.items)
+            std::visit(painter, item);
+        cairo_restore(context.get());
+        cairo_show_page(context.get());
+    }
+    expect_success(cairo_status(context.get()));
+    cairo_surface_finish(surface.get());
+    expect_success(cairo_surface_status(surface.get()));
+    return pdf;
 }
 
 } // namespace isolux
