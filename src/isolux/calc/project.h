@@ -51,6 +51,7 @@ struct Project {
     std::vector<InputFile> inputs; ///< every other file, in the order of reading
     SceneDescription scene;
     std::vector<CalculationSurface> surfaces;
+    std::vector<std::string> length_aligned; ///< luminaire types laid along x on demand, names
     Settings settings;
     std::vector<Message> notices;
 };

@@ -7,7 +7,7 @@
 
 #include "isolux/cli/calculation_options.h"
 #include "isolux/cli/console.h"
-#include "isolux/cli/long_side.h"
+#include "isolux/calc/long_side.h"
 #include "isolux/cli/verbs.h"
 
 namespace isolux {

@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "isolux/io/installation_json.h"
 #include "isolux/io/results_json.h"
+#include "isolux/io/results_node.h"
 #include "isolux/io/text_file.h"
 #include "isolux/measure/quantity.h"
 
@@ -13,90 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A value and its place in the file, for messages.
-class Node {
-public:
-    Node(const Json& json, const std::string& source, std::string pointer = "")
-        : json_(&json), source_(&source), pointer_(std::move(pointer)) {}
-
-    [[noreturn]] void fail(const std::string& what) const {
-        throw InputError(*source_ + "#" + pointer_,
-                         what,
-                         "Is this the results.json of an isolux calculation?");
-    }
-
-    [[nodiscard]] std::optional<Node> find(const char* key) const {
-        if (!json_->is_object())
-            fail("not an object");
-        const auto found = json_->find(key);
-        if (found == json_->end())
-            return std::nullopt;
-        return Node(*found, *source_, pointer_ + "/" + key);
-    }
-
-    [[nodiscard]] Node at(const char* key) const {
-        if (const std::optional<Node> member = find(key))
-            return *member;
-        fail(std::string("'") + key + "' is missing");
-    }
-
-    [[nodiscard]] std::vector<Node> items() const {
-        if (!json_->is_array())
-            fail("not a list");
-        std::vector<Node> nodes;
-        for (std::size_t i = 0; i < json_->size(); ++i)
-            nodes.emplace_back((*json_)[i], *source_, pointer_ + "/" + std::to_string(i));
-        return nodes;
-    }
-
-    [[nodiscard]] double number() const {
-        if (!json_->is_number())
-            fail("not a number");
-        return json_->get<double>();
-    }
-
-    [[nodiscard]] std::uint64_t count() const {
-        if (!json_->is_number_unsigned())
-            fail("not a whole number");
-        return json_->get<std::uint64_t>();
-    }
-
-    [[nodiscard]] bool boolean() const {
-        if (!json_->is_boolean())
-            fail("neither true nor false");
-        return json_->get<bool>();
-    }
-
-    [[nodiscard]] std::string text() const {
-        if (!json_->is_string())
-            fail("not a text");
-        return json_->get<std::string>();
-    }
-
-    [[nodiscard]] Vector3 vector() const {
-        if (!json_->is_array() || json_->size() != 3)
-            fail("not three numbers");
-        const std::vector<Node> c = items();
-        return {c[0].number(), c[1].number(), c[2].number()};
-    }
-
-    [[nodiscard]] Point3 point() const {
-        const Vector3 v = vector();
-        return {v.x, v.y, v.z};
-    }
-
-    /// As written, without normalising again: every bit survives.
-    [[nodiscard]] UnitVector3 direction() const { return UnitVector3::from_unit(vector()); }
-
-    [[nodiscard]] Estimate estimate() const {
-        return {at("value").number(), at("standard_error").number(), at("replicates").count()};
-    }
-
-private:
-    const Json* json_;
-    const std::string* source_;
-    std::string pointer_;
-};
+using Node = ResultsNode;
 
 InputFile to_input_file(const Node& node) {
     return {node.at("file").text(), node.at("sha256").text()};
@@ -225,7 +144,7 @@ ResultsDocument parse_results_json(std::string_view text, std::string_view sourc
                          "this is not JSON",
                          "Truncated file?");
     }
-    const Node root(json, name);
+    const Node root(&json, name);
     if (root.at("isolux_results").count() != 1)
         root.at("isolux_results").fail("this format is not version 1");
     const Node project = root.at("project");
@@ -239,6 +158,14 @@ ResultsDocument parse_results_json(std::string_view text, std::string_view sourc
     d.tolerance = root.at("tolerance").number();
     d.confidence = root.at("confidence").number();
     d.results = to_results(root);
+    if (const auto description = project.find("description"))
+        d.description = description->text();
+    if (const auto tolerance = root.find("absolute_tolerance"))
+        d.absolute_tolerance = tolerance->number();
+    if (const auto date = root.at("time").find("date"))
+        d.date = date->text();
+    if (const auto installation = root.find("installation"))
+        d.plan = parse_installation(*installation);
     return d;
 }
 

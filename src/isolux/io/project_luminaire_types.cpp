@@ -5,6 +5,7 @@
 #include "isolux/io/project_reader.h"
 #include "isolux/io/text_file.h"
 #include "isolux/photometry/read_photometry.h"
+#include "isolux/scene/luminaire_body.h"
 
 namespace isolux {
 
@@ -214,7 +215,9 @@ read_type(const JsonNode& node, const std::string& name, ProjectReader& reader) 
                              "body",
                              "colour",
                              "align_length_axis"});
-    LuminaireType type{name, {}, IsotropicSource{}, {}, BodyModel::none, 1.0, {1.0, 1.0, 1.0}};
+    LuminaireType type;
+    type.name = name;
+    type.source = IsotropicSource{};
     LuminaireTypeEntry entry;
     const double maintenance =
         object.number("maintenance_factor", any_maintenance_factor, reader.maintenance_factor);
@@ -225,7 +228,10 @@ read_type(const JsonNode& node, const std::string& name, ProjectReader& reader) 
     if (!read_source(object, reader, type))
         return entry;
     read_body(object, type);
-    entry.turn_length_to_x = align && type.opening.extent_y > type.opening.extent_x;
+    const std::optional<LongSide> long_side = find_long_side(type);
+    entry.turn_length_to_x = align && long_side && long_side->is_along_y;
+    if (align)
+        reader.project.length_aligned.push_back(name);
     entry.id = LuminaireTypeId(reader.project.scene.luminaire_types.size());
     reader.project.scene.luminaire_types.push_back(std::move(type));
     return entry;

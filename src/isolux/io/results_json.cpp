@@ -7,6 +7,7 @@
 #include "isolux/io/contributions_file.h"
 #include "isolux/io/csv.h"
 #include "isolux/io/file_name.h"
+#include "isolux/io/installation_json.h"
 #include "isolux/io/safe_file.h"
 #include "isolux/measure/quantity.h"
 
@@ -102,11 +103,14 @@ Json to_json(const ResultsDocument& d) {
     Json json{{"isolux_results", 1}, {"version", d.version}};
     json["project"] = {
         {"name", d.project_name}, {"file", d.project.file}, {"sha256", d.project.sha256}};
+    if (!d.description.empty())
+        json["project"]["description"] = d.description;
     Json& inputs = json["inputs"] = Json::array();
     for (const InputFile& f : d.inputs)
         inputs.push_back(to_json(f));
     json["seed"] = d.seed;
     json["tolerance"] = d.tolerance;
+    json["absolute_tolerance"] = d.absolute_tolerance;
     json["confidence"] = d.confidence;
     json["interval_confidence"] = r.confidence;
     json["converged"] = r.converged;
@@ -124,10 +128,13 @@ Json to_json(const ResultsDocument& d) {
     json["rays"] = r.rays.path + r.rays.shadow + r.rays.gather;
     json["rays_by_kind"] = {
         {"path", r.rays.path}, {"shadow", r.rays.shadow}, {"gather", r.rays.gather}};
+    json["installation"] = Json::parse(to_installation_json(d.plan));
     Json& notices = json["notices"] = Json::array();
     for (const Message& m : r.notices)
         notices.push_back(to_json(m));
     json["time"] = {{"wall_s", r.wall_seconds}, {"cpu_s", r.cpu_seconds}};
+    if (!d.date.empty())
+        json["time"]["date"] = d.date;
     return json;
 }
 
@@ -175,14 +182,17 @@ ResultsDocument
 make_results_document(const Project& project, const Settings& settings, Results results) {
     results.notices.insert(
         results.notices.begin(), project.notices.begin(), project.notices.end());
-    return {std::string(isolux_version()),
-            project.name,
-            project.file,
-            project.inputs,
-            settings.seed,
-            settings.tolerance,
-            settings.confidence,
-            std::move(results)};
+    ResultsDocument document{std::string(isolux_version()),
+                             project.name,
+                             project.file,
+                             project.inputs,
+                             settings.seed,
+                             settings.tolerance,
+                             settings.confidence,
+                             std::move(results)};
+    document.description = project.description;
+    document.absolute_tolerance = settings.absolute_tolerance;
+    return document;
 }
 
 std::string to_results_json(const ResultsDocument& document) {

@@ -15,6 +15,7 @@ struct FileLimits {
     static constexpr std::uintmax_t mesh = 1'000'000'000;
     static constexpr std::uintmax_t results = 1'000'000'000;
     static constexpr std::uintmax_t contributions = 8'000'000'000;
+    static constexpr std::uintmax_t picture = 100'000'000;
 };
 
 /// The bytes of a file.

@@ -102,6 +102,7 @@ TEST(ProjectLuminaires, CanLieWithTheirLengthAlongX) {
          {"luminaires", R"([{"type": "panel", "position": [1, 1, 2]}])"}});
     const Frame frame = project.scene.luminaires.at(0).world_from_luminaire;
 
+    EXPECT_EQ(project.length_aligned, std::vector<std::string>{"panel"});
     expect_near(Vector3(frame.y), {1, 0, 0});
     expect_near(cross(frame.x, frame.y), Vector3(frame.z));
     expect_near(Vector3(frame.z), {0, 0, 1});

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -22,6 +23,38 @@ namespace {
 using nlohmann::json;
 using testing::UnorderedElementsAre;
 
+/// A room with two luminaires of a type that is laid along x, turned, and a bulb.
+Scene make_scene() {
+    SceneDescription d;
+    d.materials = {{"paint", Opaque{Rgb::grey(0.5), 0.0}, Sides::both}};
+    Room room;
+    room.name = "office";
+    room.footprint = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
+    room.height = 2.8;
+    room.walls.resize(4);
+    d.rooms = {room};
+    LuminaireType panel;
+    panel.name = "panel";
+    panel.source = LambertianSource{Lumen(4000.0 / 3.0)};
+    panel.opening = {OpeningShape::rectangle, Metre(0.3), Metre(1.2), Metre(0)};
+    LuminaireType bulb;
+    bulb.name = "bulb";
+    bulb.source = IsotropicSource{Lumen(800)};
+    d.luminaire_types = {panel, bulb};
+    LuminairePlacement a;
+    a.name = "panel 1";
+    a.world_from_luminaire =
+        make_tilted_frame({3, 1, 2.7}, degrees(90), degrees(7), degrees(3));
+    a.scale = 0.8;
+    a.group = "window";
+    LuminairePlacement b;
+    b.name = "bulb 1";
+    b.type = LuminaireTypeId(1);
+    b.world_from_luminaire.origin = {5, 3, 2.5};
+    d.luminaires = {a, b};
+    return build_scene(std::move(d));
+}
+
 ResultsDocument make_document() {
     Settings settings;
     settings.seed = 9223372036854775807ULL;
@@ -31,7 +64,12 @@ ResultsDocument make_document() {
     project.file = {"office.json", std::string(64, 'a')};
     project.inputs = {{"a.ies", std::string(64, 'b')}};
     project.notices = {{"office.json", "the project's own notice", ""}};
-    return make_results_document(project, settings, test::make_results());
+    project.description = "Two rooms & a corridor";
+    ResultsDocument document = make_results_document(project, settings, test::make_results());
+    document.plan = make_plan(make_scene());
+    const std::vector<std::string> aligned{"panel"};
+    mark_aligned(document.plan, aligned);
+    return document;
 }
 
 /// Complaints of valijson about a document, one a line.
@@ -133,6 +171,55 @@ TEST(ResultsJson, ReadsBackToTheLastBit) {
     EXPECT_EQ(d.results.notices, make_document().results.notices);
 }
 
+TEST(ResultsJson, RecordsWhatHangsWhere) {
+    const json d = json::parse(to_results_json(make_document()));
+    EXPECT_EQ(d["project"]["description"], "Two rooms & a corridor");
+    const json& types = d["installation"]["luminaire_types"];
+    ASSERT_EQ(types.size(), 2u);
+    EXPECT_EQ(types[0]["name"], "panel");
+    EXPECT_EQ(types[0]["align_length_axis"], true);
+    EXPECT_EQ(types[0]["long_side"], (json{{"axis", "y"}, {"length_m", 1.2}}));
+    EXPECT_EQ(types[0]["flux_lm"], 4000.0 / 3.0);
+    EXPECT_EQ(types[1]["align_length_axis"], false);
+    EXPECT_FALSE(types[1].contains("long_side"));
+    const json& curves = types[0]["curves"];
+    EXPECT_EQ(curves["gamma"].size(), 181u);
+    // A Lambertian panel of flux Phi: Phi / pi cos(gamma).
+    EXPECT_NEAR(curves["c90"][60].get<double>(), 0.5 * 4000.0 / 3.0 / std::acos(-1.0), 1e-9);
+    EXPECT_EQ(curves["c0"][180], 0.0);
+    const json& luminaires = d["installation"]["luminaires"];
+    ASSERT_EQ(luminaires.size(), 2u);
+    EXPECT_EQ(luminaires[0]["type"], "panel");
+    EXPECT_EQ(luminaires[0]["position"], (json{3.0, 1.0, 2.7}));
+    EXPECT_EQ(luminaires[0]["scale"], 0.8);
+    EXPECT_EQ(luminaires[0]["group"], "window");
+    EXPECT_EQ(d["installation"]["rooms"][0]["name"], "office");
+    EXPECT_EQ(d["installation"]["rooms"][0]["upper"], 2.8);
+}
+
+TEST(ResultsJson, GivesThePlanBackAsItWas) {
+    const Plan before = make_plan(make_scene());
+    const Plan after =
+        parse_results_json(to_results_json(make_document()), "results.json").plan;
+    ASSERT_EQ(after.luminaires.size(), before.luminaires.size());
+    for (std::size_t k = 0; k < before.luminaires.size(); ++k) {
+        EXPECT_EQ(after.luminaires[k].body, before.luminaires[k].body);
+        EXPECT_EQ(after.luminaires[k].c0, before.luminaires[k].c0);
+        EXPECT_EQ(after.luminaires[k].nadir, before.luminaires[k].nadir);
+    }
+    EXPECT_EQ(after.rooms[0].lines, before.rooms[0].lines);
+    EXPECT_EQ(after.rooms[0].faces, before.rooms[0].faces);
+}
+
+TEST(ResultsJson, TellsTheDateAmongTheTimes) {
+    ResultsDocument document = make_document();
+    document.date = "2026-05-13T09:30:00Z";
+    const std::string text = to_results_json(document);
+    EXPECT_TRUE(text.ends_with("\"cpu_s\":9.5,\"date\":\"2026-05-13T09:30:00Z\"}\n}\n"));
+    EXPECT_EQ(parse_results_json(text, "r.json").date, document.date);
+    EXPECT_EQ(violations(json::parse(text)), "");
+}
+
 TEST(ResultsJson, DiffersByTimeAloneBetweenEqualRuns) {
     ResultsDocument a = make_document();
     ResultsDocument b = make_document();
@@ -205,6 +292,16 @@ TEST(ResultsReader, NamesThePlaceOfWhatDoesNotFit) {
               "r.json#/surfaces/0/grid/cells/0: beyond the last cell" + hint);
     EXPECT_EQ(with("/surfaces/0/grid/cells", json::array()),
               "r.json#/surfaces/0/grid/cells: as many cells as points are needed" + hint);
+    const std::string types = "r.json#/installation/luminaire_types/0/";
+    EXPECT_EQ(with("/installation/luminaire_types/0/opening/shape", "star"),
+              types + "opening/shape: unknown shape 'star'" + hint);
+    EXPECT_EQ(with("/installation/luminaire_types/0/curves/c0", json::array()),
+              types + "curves/c0: as many values as gammas are needed" + hint);
+    EXPECT_EQ(with("/installation/luminaires/0/type", "lamp"),
+              "r.json#/installation/luminaires/0/type: there is no luminaire type 'lamp'"
+                  + hint);
+    EXPECT_EQ(with("/installation/rooms/0/lines/0", json{1, 2, 3}),
+              "r.json#/installation/rooms/0/lines/0: not pairs of numbers" + hint);
 }
 
 TEST(WriteResults, MakesOneFolderWithJsonAndOneCsvASurface) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "isolux/calc/plan.h"
 #include "isolux/calc/results.h"
-#include "isolux/viz/plan.h"
 
 /// Made-up results and plans that look like real ones, for the tests of the pictures.
 namespace isolux::examples {

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "isolux/calc/plan.h"
 #include "isolux/scene/primitives.h"
 #include "isolux/viz/label_layout.h"
-#include "isolux/viz/plan.h"
 #include "isolux/viz/surface_view.h"
+
+#include "support/photometric_files.h"
 
 namespace isolux {
 namespace {
@@ -84,6 +86,21 @@ TEST(Plan, DrawsLuminairesToScaleAndTurned) {
     EXPECT_EQ(plan.types[1].name, "bulb");
     EXPECT_NEAR(plan.types[1].flux, 800.0, 1e-9);
     EXPECT_TRUE(plan.objects.empty());
+}
+
+TEST(Plan, LaysTheBodyOfOneLuminaireDownAsItsFileHasIt) {
+    ISOLUX_NEEDS_CORPUS();
+    for (const std::string name : {"linear-pair.ies", "linear-pair.ldt"}) {
+        LuminaireType type;
+        auto parsed = corpus::read("valid", name);
+        type.opening = parsed.value.opening;
+        type.source = std::move(parsed.value);
+        Extent e;
+        for (const Point2& p : body_outline(describe_type(type).body, Frame{}))
+            e.include(p);
+        EXPECT_EQ(e.width() > e.height(), name.ends_with(".ies")) << name;
+        EXPECT_GT(std::max(e.width(), e.height()), 1.0) << name;
+    }
 }
 
 std::vector<SceneTriangle> triangles_of(const SurfaceMesh& mesh) {

@@ -6,7 +6,7 @@
 
 #include "isolux/calc/results.h"
 #include "isolux/viz/drawing.h"
-#include "isolux/viz/plan.h"
+#include "isolux/calc/plan.h"
 
 namespace isolux {
 

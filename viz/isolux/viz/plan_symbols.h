@@ -1,7 +1,7 @@
 #pragma once
 
 #include "isolux/viz/map_page.h"
-#include "isolux/viz/plan.h"
+#include "isolux/calc/plan.h"
 
 namespace isolux {
 

@@ -7,7 +7,7 @@
 #include "isolux/measure/surface_grid.h"
 #include "isolux/viz/drawing.h"
 #include "isolux/viz/map_page.h"
-#include "isolux/viz/plan.h"
+#include "isolux/calc/plan.h"
 
 namespace isolux {
 

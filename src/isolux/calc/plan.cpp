@@ -1,4 +1,4 @@
-#include "isolux/viz/plan.h"
+#include "isolux/calc/plan.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,6 @@
 #include <numbers>
 #include <set>
 #include <tuple>
-#include <variant>
 
 namespace isolux {
 
@@ -155,15 +154,9 @@ PlanOutline make_outline(std::string name, const std::vector<SceneTriangle>& tri
     return outline;
 }
 
-Polyline body_outline(const LuminaireType& type, const Frame& world_from_luminaire) {
-    const auto* photometry = std::get_if<LuminairePhotometry>(&type.source);
-    LuminousOpening body = photometry != nullptr ? photometry->housing : type.opening;
-    const auto size = [](const LuminousOpening& o) {
-        return std::max({in_metre(o.extent_x), in_metre(o.extent_y), in_metre(o.extent_z)});
-    };
-    if (size(body) <= same_place)
-        body = type.opening;
-    if (size(body) <= same_place)
+Polyline body_outline(const LuminousOpening& body, const Frame& world_from_luminaire) {
+    if (std::max({in_metre(body.extent_x), in_metre(body.extent_y), in_metre(body.extent_z)})
+        <= same_place)
         return {};
     const Extents half{0.5 * in_metre(body.extent_x),
                        0.5 * in_metre(body.extent_y),
@@ -183,6 +176,21 @@ Polyline body_outline(const LuminaireType& type, const Frame& world_from_luminai
         }
     }
     return convex_hull(std::move(points));
+}
+
+PlanLuminaire make_plan_luminaire(std::string name,
+                                  std::size_t type,
+                                  const LuminousOpening& body,
+                                  const Frame& frame) {
+    PlanLuminaire l;
+    l.name = std::move(name);
+    l.type = type;
+    l.position = frame.origin;
+    l.body = body_outline(body, frame);
+    l.c0 = {frame.x.x(), frame.x.y()};
+    l.nadir = {-frame.z.x(), -frame.z.y()};
+    l.frame = frame;
+    return l;
 }
 
 Plan make_plan(const Scene& scene) {
@@ -212,15 +220,13 @@ Plan make_plan(const Scene& scene) {
     for (const auto& [name, triangles] : objects)
         plan.objects.push_back(make_outline(name, triangles));
     for (const LuminaireType& type : scene.luminaire_types)
-        plan.types.push_back({type.name, in_lumen(luminous_flux(type))});
+        plan.types.push_back(describe_type(type));
     for (const Luminaire& luminaire : scene.luminaires) {
-        const Frame& frame = luminaire.placement.world_from_luminaire;
-        plan.luminaires.push_back({luminaire.placement.name,
-                                   luminaire.placement.type.index(),
-                                   frame.origin,
-                                   body_outline(scene.type_of(luminaire), frame),
-                                   {frame.x.x(), frame.x.y()},
-                                   {-frame.z.x(), -frame.z.y()}});
+        const LuminairePlacement& p = luminaire.placement;
+        plan.luminaires.push_back(make_plan_luminaire(
+            p.name, p.type.index(), plan.types[p.type.index()].body, p.world_from_luminaire));
+        plan.luminaires.back().scale = p.scale;
+        plan.luminaires.back().group = p.group;
     }
     return plan;
 }

@@ -1,4 +1,4 @@
-#include "isolux/cli/long_side.h"
+#include "isolux/calc/long_side.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,6 @@
 namespace isolux {
 
 namespace {
-
-/// What is seen of the luminaire: its opening, or the housing where the light comes from a
-/// point.
-LuminousOpening visible_body(const LuminaireType& type) {
-    const auto* photometry = std::get_if<LuminairePhotometry>(&type.source);
-    if (type.opening.shape == OpeningShape::point && photometry != nullptr)
-        return photometry->housing;
-    return type.opening;
-}
 
 /// A direction without a sense, to the degree.
 std::string name_direction(const Vector3& v) {
@@ -41,14 +32,17 @@ std::string name_direction(const Vector3& v) {
 
 std::string describe_long_side(const LuminaireType& type,
                                std::span<const Frame> world_from_luminaire) {
-    const LuminousOpening body = visible_body(type);
-    const double x = in_metre(body.extent_x);
-    const double y = in_metre(body.extent_y);
-    if (std::max(x, y) <= 1.05 * std::min(x, y))
+    return describe_long_side(find_long_side(type), world_from_luminaire);
+}
+
+std::string describe_long_side(const std::optional<LongSide>& long_side,
+                               std::span<const Frame> world_from_luminaire) {
+    if (!long_side)
         return "no long side";
     std::vector<std::pair<std::string, std::size_t>> directions;
     for (const Frame& frame : world_from_luminaire) {
-        const std::string name = name_direction(x > y ? Vector3(frame.x) : Vector3(frame.y));
+        const std::string name =
+            name_direction(long_side->is_along_y ? Vector3(frame.y) : Vector3(frame.x));
         const auto known = std::find_if(directions.begin(),
                                         directions.end(),
                                         [&](const auto& d) { return d.first == name; });
@@ -57,7 +51,7 @@ std::string describe_long_side(const LuminaireType& type,
         else
             ++known->second;
     }
-    const std::string side = fmt::format("long side {:.3g} m", std::max(x, y));
+    const std::string side = fmt::format("long side {:.3g} m", long_side->length);
     if (directions.size() == 1)
         return side + " along " + directions.front().first;
     if (directions.size() > 4)
