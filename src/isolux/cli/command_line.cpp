@@ -29,6 +29,7 @@ constexpr std::array verbs{
     Verb{"check", add_check},
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},
+    Verb{"report", add_report},
     Verb{"schema", add_schema},
     Verb{"photometry", add_photometry},
 };
@@ -39,6 +40,7 @@ Examples:
   isolux check office.json                what is wrong or odd in it
   echo "2 3 0.75 0 0 1" | isolux sense office.json
   isolux photometry info desk.ies         what a luminaire file says
+  isolux report results/open-office       HTML and PDF from the results
   isolux selftest                         compare the engine with known answers
   isolux run --help                       options and examples of a verb
 

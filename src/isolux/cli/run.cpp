@@ -1,3 +1,4 @@
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -5,13 +6,14 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include "isolux/calc/calculate.h"
+#include "isolux/calc/long_side.h"
 #include "isolux/cli/calculation_options.h"
 #include "isolux/cli/console.h"
 #include "isolux/cli/interrupt.h"
-#include "isolux/cli/long_side.h"
 #include "isolux/cli/parse_values.h"
 #include "isolux/cli/run_report.h"
 #include "isolux/cli/terminal.h"
@@ -19,6 +21,7 @@
 #include "isolux/io/file_name.h"
 #include "isolux/io/results_json.h"
 #include "isolux/io/safe_file.h"
+#include "isolux/report/report_files.h"
 #include "isolux/viz/map.h"
 #include "isolux/viz/vtk_export.h"
 
@@ -53,17 +56,14 @@ void write_vtk(const fs::path& folder, const Scene& scene, const Results& result
             folder / (stems[i] + ".vtp"), results.surfaces[i], results.confidence);
 }
 
-void write_maps(const fs::path& folder,
-                const Scene& scene,
-                const ResultsDocument& document,
-                const Settings& settings) {
+void write_maps(const fs::path& folder, const ResultsDocument& document) {
     make_folder(folder);
     const Results& results = document.results;
-    const Plan plan = make_plan(scene);
+    const Plan& plan = document.plan;
     const MapNotes notes{document.project_name,
                          results.confidence,
-                         settings.tolerance,
-                         settings.absolute_tolerance};
+                         document.tolerance,
+                         document.absolute_tolerance};
     std::vector<CalculationSurface> surfaces;
     for (const SurfaceResult& s : results.surfaces)
         surfaces.push_back(s.surface);
@@ -71,6 +71,12 @@ void write_maps(const fs::path& folder,
     const std::vector<std::string> stems = surface_stems(results, "plan");
     for (std::size_t i = 0; i < stems.size(); ++i)
         write_map(folder / stems[i], results.surfaces[i], plan, notes);
+}
+
+/// Now, UTC, as results.json has it.
+std::string date_in_words() {
+    const std::time_t now = std::time(nullptr);
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
 /// Says in the results themselves why they end early.
@@ -98,9 +104,12 @@ to_report(const ResultsDocument& document, const Scene& scene, const fs::path& f
     for (const std::string& line : describe_luminaires(scene.luminaire_types, placements))
         text += "luminaires: " + line + "\n";
     return text
-           + fmt::format("results: {} (results.json, .csv, .vtp), maps and plan: {}\n",
+           + fmt::format("results: {} (results.json, .csv, .vtp), maps and plan: {}\n"
+                         "report: {}, {}\n",
                          folder.string(),
-                         (folder / "maps").string());
+                         (folder / "maps").string(),
+                         (folder / "report.html").string(),
+                         (folder / "report.pdf").string());
 }
 
 ExitCode run_project(const RunOptions& options) {
@@ -128,11 +137,14 @@ ExitCode run_project(const RunOptions& options) {
     line.clear();
     const bool is_by_user = results.interrupted && interrupt.is_interrupted();
     note_early_end(results, is_by_user, settings);
-    const ResultsDocument document =
-        make_results_document(project, settings, std::move(results));
+    ResultsDocument document = make_results_document(project, settings, std::move(results));
+    document.plan = make_plan(scene);
+    mark_aligned(document.plan, project.length_aligned);
+    document.date = date_in_words();
     write_results(folder, document);
     write_vtk(folder, scene, document.results);
-    write_maps(folder / "maps", scene, document, settings);
+    write_maps(folder / "maps", document);
+    report::write_reports(folder, document);
 
     if (!options.is_quiet)
         print(to_report(document, scene, folder));
@@ -148,7 +160,8 @@ Action add_run(CLI::App& verb) {
     verb.description("Calculate everything in a project");
     verb.footer(R"(
 Writes into DIR: results.json; for each calculation surface a .csv and a .vtp (ParaView);
-room.vtp; maps/ with false-colour maps and the plan as .svg and .png. Prints a summary.
+room.vtp; maps/ with false-colour maps and the plan as .svg and .png; report.html and
+report.pdf. Prints a summary.
 
 Ctrl-C stops and writes what there is, marked as not converged; a second Ctrl-C ends at once.
 

@@ -1,0 +1,176 @@
+#include "isolux/report/texts.h"
+
+namespace isolux::report {
+
+namespace {
+
+Texts make_english() {
+    Texts t;
+    t.language = "en";
+
+    t.kind = "Lighting calculation";
+    t.cover_caption = "About this calculation";
+    t.project = "Project";
+    t.project_file = "Project file";
+    t.date = "Calculated on";
+    t.no_date = "not recorded";
+    t.program = "Calculated by";
+    t.program_value = "isolux {}";
+    t.accuracy = "Accuracy asked for";
+    t.accuracy_value = "every value within {} at {} confidence";
+    t.state = "State";
+    t.state_converged = "complete: every value is as accurate as asked for";
+    t.state_open = "some values are less accurate than asked for; they are marked";
+    t.state_interrupted = "stopped early; values are less accurate than asked for";
+    t.contents = "Contents";
+    t.footer = "{} · isolux {}";
+
+    t.overview = "Results at a glance";
+    t.overview_intro =
+        "Values are followed by half the width of their {} confidence interval, which says how "
+        "exactly they were calculated from the data given. Section “Method” tells what else "
+        "they depend on.";
+    t.surfaces_caption = "Calculation surfaces";
+    t.surface = "Surface";
+    t.quantity = "Quantity";
+    t.points = "Points";
+    t.mean = "Em";
+    t.minimum = "Emin";
+    t.maximum = "Emax";
+    t.uniformity = "U0";
+    t.diversity = "Ud";
+    t.lux = "lx";
+    t.reached = "Accurate enough";
+    t.yes = "yes";
+    t.no = "no";
+    t.notices = "Notices of the program";
+    t.place = "Place";
+    t.notice = "Notice";
+
+    t.luminaires = "Luminaires";
+    t.schedule_caption = "Luminaire schedule";
+    t.number = "No.";
+    t.type = "Type";
+    t.product = "Product";
+    t.count = "Count";
+    t.flux_each = "lm each";
+    t.flux_all = "lm in all";
+    t.watts_each = "W each";
+    t.watts_all = "W in all";
+    t.not_stated = "not stated";
+    t.total = "Total";
+    t.schedule_note = "Luminous flux and power of new luminaires at full output.";
+    t.polar_caption = "Luminous intensity of {}, cd";
+    t.polar_alternative =
+        "Polar diagram of {}: largest luminous intensity {} cd at C {}, gamma {} degrees";
+    t.facts_caption = "{}: {}";
+    t.manufacturer = "Manufacturer";
+    t.catalogue_number = "Catalogue number";
+    t.file = "File";
+    t.lamps = "Lamps";
+    t.flux = "Luminous flux";
+    t.power = "Power";
+    t.power_value = "{} W, {} lm/W";
+    t.light_output_ratio = "Light output ratio";
+    t.downward_share = "Downward share";
+    t.largest_intensity = "Largest intensity";
+    t.largest_intensity_value = "{} cd at C {}°, gamma {}°";
+    t.beam = "Beam angle";
+    t.beam_value = "C0-C180 {}, C90-C270 {}";
+    t.body = "Body (x × y × z)";
+    t.long_side = "In the room";
+    t.aligned = "length axis aligned to x by the project";
+    t.legend = "Solid: C0-C180, C0 at the right. Dashed: C90-C270, C90 at the right.";
+    t.positions_caption = "Luminaires as they hang";
+    t.luminaire = "Luminaire";
+    t.c0_direction = "C0";
+    t.tilt = "Tilt";
+    t.light_share = "Light";
+    t.group = "Group";
+    t.positions_note =
+        "x, y, z: photometric centre, m. C0: direction of C0 from x towards y, degrees. Tilt: "
+        "of gamma 0 from straight down, degrees. Light: dimming times maintenance factor.";
+
+    t.rooms = "Rooms";
+    t.room_caption = "{}: walls in metres; numbers in luminaires are types of the schedule, "
+                     "arrows point to C0";
+    t.room_alternative =
+        "Plan of {} with wall lengths, {} luminaires and {} calculation surfaces";
+    t.rooms_table = "Rooms of the project";
+    t.room = "Room";
+    t.area = "Floor area, m²";
+    t.height = "Height, m";
+    t.luminaire_count = "Luminaires";
+    t.plan_caption = "Plan";
+
+    t.surface_title = "{}";
+    t.figures_caption = "Figures of the surface";
+    t.value = "Value";
+    t.lower = "Lower";
+    t.upper = "Upper";
+    t.map_caption = "{}: values in lx, isolux lines and false colours";
+    t.map_alternative = "Map of {} on {}: mean {} lx, lowest {} lx, highest {} lx";
+    t.values_caption = "Values at all points of {}, {}";
+    t.point = "Point";
+    t.direct = "Direct";
+    t.indirect = "Reflected";
+    t.values_cut = "{} of {} points are listed here; all are in the surface's CSV file and in "
+                   "results.json.";
+    t.flag_note = "* the interval of this point deserves less trust (see METHODS 3.5).";
+    t.not_reached = "Some values of this surface are less accurate than asked for.";
+
+    t.views = "Views";
+    t.view_caption = "{}";
+
+    t.method = "Method and uncertainty";
+    t.method_intro =
+        "Light that reaches a point straight from a luminaire is integrated over the luminous "
+        "opening; light that was reflected is estimated by Monte Carlo methods without bias. "
+        "The calculation is repeated as independent replicates, whose spread gives the "
+        "confidence intervals. Every equation is in METHODS.md of the program.";
+    t.method_caption = "How these results were calculated";
+    t.estimator = "Reflected light";
+    t.seed = "Seed";
+    t.tolerance = "Tolerance";
+    t.confidence = "Confidence";
+    t.confidence_value = "{} asked for; each interval holds at {}";
+    t.replicates = "Independent replicates";
+    t.paths = "Light paths";
+    t.rays = "Rays";
+    t.flux_balance = "Flux balance";
+    t.flux_balance_value = "{} lm emitted, {} lm absorbed, {} lm escaped";
+    t.self_test = "Self-test";
+    t.self_test_absent =
+        "its result is not part of this folder; `isolux selftest` compares the "
+        "program with known answers";
+    t.duration = "Duration";
+    t.duration_value = "{} s, {} s of processor time";
+    t.budget_title = "Uncertainty budget";
+    t.budget_intro =
+        "Monte Carlo: measured, half the width of the interval of Em. The other components are "
+        "assumptions, not measurements, at about 95 % coverage: measured photometry ± {}, "
+        "luminous flux of the luminaires against their rating ± {}, reflected light for "
+        "reflectances that differ from those given ± {}, maintenance factor ± {}. Independent "
+        "components add up by squares; the share in brackets is that of the sum of squares.";
+    t.budget_caption = "Uncertainty of Em by component";
+    t.monte_carlo = "Monte Carlo";
+    t.photometry = "Photometry";
+    t.assumed_flux = "Luminous flux";
+    t.reflectance = "Reflectances";
+    t.maintenance = "Maintenance";
+    t.combined = "Combined";
+    t.hashes_title = "Input files";
+    t.hashes_intro = "A file that gives the same SHA-256 is the same file to the last bit.";
+    t.hashes_caption = "SHA-256 of all inputs";
+    t.sha256 = "SHA-256";
+    return t;
+}
+
+} // namespace
+
+const Texts& english() {
+    static const Texts texts = make_english();
+    return texts;
+}
+
+} // namespace isolux::report
