@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "isolux/calc/long_side.h"
 #include "isolux/cli/calculation_options.h"
 #include "isolux/cli/console.h"
-#include "isolux/calc/long_side.h"
 #include "isolux/cli/verbs.h"
 
 namespace isolux {

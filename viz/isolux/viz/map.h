@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
+#include "isolux/calc/plan.h"
 #include "isolux/calc/results.h"
 #include "isolux/viz/drawing.h"
-#include "isolux/calc/plan.h"
 
 namespace isolux {
 

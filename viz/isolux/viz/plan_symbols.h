@@ -1,7 +1,7 @@
 #pragma once
 
-#include "isolux/viz/map_page.h"
 #include "isolux/calc/plan.h"
+#include "isolux/viz/map_page.h"
 
 namespace isolux {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "isolux/calc/plan.h"
 #include "isolux/measure/surface_grid.h"
 #include "isolux/viz/drawing.h"
 #include "isolux/viz/map_page.h"
-#include "isolux/calc/plan.h"
 
 namespace isolux {
 
