@@ -220,7 +220,7 @@ Plan make_plan(const Scene& scene) {
     for (const auto& [name, triangles] : objects)
         plan.objects.push_back(make_outline(name, triangles));
     for (const LuminaireType& type : scene.luminaire_types)
-        plan.types.push_back(describe_type(type));
+        plan.types.push_back(make_plan_type(type));
     for (const Luminaire& luminaire : scene.luminaires) {
         const LuminairePlacement& p = luminaire.placement;
         plan.luminaires.push_back(make_plan_luminaire(

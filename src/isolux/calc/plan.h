@@ -75,7 +75,7 @@ struct Plan {
 
 /// The facts of a luminaire type. Beam angles and shares come from the file's table; a panel
 /// without a file is Lambertian.
-[[nodiscard]] PlanType describe_type(const LuminaireType& type);
+[[nodiscard]] PlanType make_plan_type(const LuminaireType& type);
 
 /// Records which types the project has laid along x, Project::length_aligned.
 void mark_aligned(Plan& plan, std::span<const std::string> types);

@@ -47,7 +47,7 @@ void add_table(PlanType& facts, const LuminairePhotometry& table, double flux_sc
 
 } // namespace
 
-PlanType describe_type(const LuminaireType& type) {
+PlanType make_plan_type(const LuminaireType& type) {
     PlanType facts;
     facts.name = type.name;
     facts.flux = in_lumen(luminous_flux(type));

@@ -96,7 +96,7 @@ TEST(Plan, LaysTheBodyOfOneLuminaireDownAsItsFileHasIt) {
         type.opening = parsed.value.opening;
         type.source = std::move(parsed.value);
         Extent e;
-        for (const Point2& p : body_outline(describe_type(type).body, Frame{}))
+        for (const Point2& p : body_outline(make_plan_type(type).body, Frame{}))
             e.include(p);
         EXPECT_EQ(e.width() > e.height(), name.ends_with(".ies")) << name;
         EXPECT_GT(std::max(e.width(), e.height()), 1.0) << name;
