@@ -98,7 +98,7 @@ TEST(Plan, LaysTheBodyOfOneLuminaireDownAsItsFileHasIt) {
         Extent e;
         for (const Point2& p : body_outline(make_plan_type(type).body, Frame{}))
             e.include(p);
-        EXPECT_EQ(e.width() > e.height(), name.ends_with(".ies")) << name;
+        EXPECT_GT(e.width(), 10.0 * e.height()) << name; // length along x in both
         EXPECT_GT(std::max(e.width(), e.height()), 1.0) << name;
     }
 }

@@ -85,6 +85,15 @@ void add(FactList& list, const std::string& name, const std::string& value) {
         list.rows.push_back({{name}, {value}});
 }
 
+/// 0.6 × 0.6 × 0.08 m; the height only where there is one.
+std::string size_in_words(const LuminousOpening& o) {
+    std::string size =
+        fmt::format("{:.3g} × {:.3g}", in_metre(o.extent_x), in_metre(o.extent_y));
+    if (in_metre(o.extent_z) > 0.0)
+        size += fmt::format(" × {:.3g}", in_metre(o.extent_z));
+    return size + " m";
+}
+
 FactList make_facts(const Plan& plan, std::size_t k, const Texts& t) {
     const PlanType& type = plan.types[k];
     FactList list{fill(t.facts_caption, {std::to_string(k + 1), type.name}), {}};
@@ -114,12 +123,7 @@ FactList make_facts(const Plan& plan, std::size_t k, const Texts& t) {
         t.beam,
         fill(t.beam_value, {degrees_or(type.beam_c0, t), degrees_or(type.beam_c90, t)}));
     if (type.body.shape != OpeningShape::point)
-        add(list,
-            t.body,
-            fmt::format("{:.3g} × {:.3g} × {:.3g} m",
-                        in_metre(type.body.extent_x),
-                        in_metre(type.body.extent_y),
-                        in_metre(type.body.extent_z)));
+        add(list, t.body, size_in_words(type.body));
     std::string side = describe_long_side(type.long_side, frames_of(plan, k));
     if (type.align_length_axis)
         side += "; " + t.aligned;
@@ -183,8 +187,8 @@ Section make_luminaire_section(const ResultsDocument& d, const Texts& t) {
         if (!frames_of(d.plan, k).empty())
             section.blocks.emplace_back(make_sheet(d.plan, k, t));
     section.blocks.emplace_back(Paragraph{t.legend, Mark::none, true});
-    section.blocks.emplace_back(make_positions(d.plan, t));
     section.blocks.emplace_back(Paragraph{t.positions_note, Mark::none, true});
+    section.blocks.emplace_back(make_positions(d.plan, t));
     return section;
 }
 

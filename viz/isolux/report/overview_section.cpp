@@ -17,7 +17,8 @@ Table make_surface_table(const Results& r, const Texts& t) {
                  {t.uniformity, true},
                  {t.diversity, true},
                  {t.reached}},
-                {}};
+                {},
+                true};
     for (const SurfaceResult& s : r.surfaces)
         table.rows.push_back(
             {{s.surface.name},
