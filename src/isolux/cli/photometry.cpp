@@ -25,6 +25,7 @@ constexpr std::array sub_verbs{
     SubVerb{"info", add_photometry_info},
     SubVerb{"candela", add_photometry_candela},
     SubVerb{"convert", add_photometry_convert},
+    SubVerb{"plot", add_photometry_plot},
     SubVerb{"ugr-table", add_photometry_ugr_table},
     SubVerb{"validate", add_photometry_validate},
 };
@@ -79,6 +80,7 @@ Examples:
   isolux photometry info desk.ies         what the file says and what follows from it
   isolux photometry candela desk.ies 0 30 90 30
   isolux photometry convert desk.ldt desk.ies
+  isolux photometry plot desk.ldt -o desk.svg
   isolux photometry ugr-table desk.ldt
   isolux photometry validate --strict *.ies
   isolux photometry info --help           options and examples of a sub-verb)");

@@ -13,6 +13,7 @@ namespace isolux {
 [[nodiscard]] Action add_photometry_info(CLI::App& verb);
 [[nodiscard]] Action add_photometry_candela(CLI::App& verb);
 [[nodiscard]] Action add_photometry_convert(CLI::App& verb);
+[[nodiscard]] Action add_photometry_plot(CLI::App& verb);
 [[nodiscard]] Action add_photometry_ugr_table(CLI::App& verb);
 [[nodiscard]] Action add_photometry_validate(CLI::App& verb);
 
