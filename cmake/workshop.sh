@@ -94,6 +94,8 @@ build() {
     if [ ! -f "$root/build/$preset/.ninja_log" ]; then
         say "building (some minutes, this first time)"
     fi
-    NINJA_STATUS='[%f/%t] ' ninja -C "$root/build/$preset" -j "$(nproc)" "${quiet[@]}" "$@" >&2 ||
+    # ccache takes precompiled headers only if told that time stamps do not matter
+    CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros \
+        NINJA_STATUS='[%f/%t] ' ninja -C "$root/build/$preset" -j "$(nproc)" "${quiet[@]}" "$@" >&2 ||
         fail "the build failed (the compiler's words are above)"
 }

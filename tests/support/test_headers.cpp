@@ -1,0 +1,1 @@
+// Exists so that the headers all tests share are precompiled once (tests/CMakeLists.txt).
