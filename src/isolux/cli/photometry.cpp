@@ -46,12 +46,15 @@ void add_luminaire_file_options(CLI::App& verb, LuminaireFileOptions& options) {
     verb.add_flag("--strict", options.strict, "Refuse what breaks a rule of the file's format");
     verb.add_option("--lamp-set", options.lamp_set, "EULUMDAT: which of the lamp sets, from 1")
         ->capture_default_str();
+    verb.add_option(
+        "--variant", options.variant, "GLDF: id or number of the product's variant");
 }
 
 Parsed<LuminairePhotometry> read_luminaire_file(const std::string& file,
                                                 const LuminaireFileOptions& options) {
     PhotometryOptions reading;
     reading.strict = options.strict;
+    reading.variant = options.variant;
     reading.lamp_set = parse_lamp_set(options.lamp_set);
     return read_photometry(file, reading);
 }
@@ -66,7 +69,7 @@ std::size_t line_of(const Message& message) noexcept {
 }
 
 Action add_photometry(CLI::App& verb) {
-    verb.description("Look into luminaire files: LM-63 (IES) and EULUMDAT");
+    verb.description("Look into luminaire files: LM-63 (IES), EULUMDAT, TM-33, GLDF");
     verb.formatter(std::make_shared<CLI::Formatter>()); // the program's own says VERB
     verb.get_formatter()->label("SUBCOMMAND", "WHAT");
     std::vector<std::pair<CLI::App*, Action>> actions;

@@ -21,9 +21,10 @@ namespace isolux {
 struct LuminaireFileOptions {
     bool strict = false;
     std::string lamp_set = "1";
+    std::string variant; ///< GLDF
 };
 
-/// Adds --strict and --lamp-set.
+/// Adds --strict, --lamp-set and --variant.
 void add_luminaire_file_options(CLI::App& verb, LuminaireFileOptions& options);
 
 /// @throws InputError  an option that is no number, or whatever the file has wrong

@@ -21,6 +21,14 @@ void Findings::warn(std::size_t line, std::string what, std::string hint) {
         warnings_.push_back(notices_.back());
 }
 
+void Findings::add(const Findings& inner) {
+    for (const auto& [from, to] :
+         {std::pair{&inner.notices_, &notices_}, std::pair{&inner.warnings_, &warnings_}})
+        for (const Message& m : *from)
+            if (to->size() <= most_notices)
+                to->push_back(m);
+}
+
 void Findings::fail(std::size_t line, std::string what, std::string hint) const {
     throw InputError(place(line), std::move(what), std::move(hint));
 }

@@ -23,6 +23,9 @@ public:
     /// Against the format's rules, or something had to be assumed; `strict` refuses it.
     void warn(std::size_t line, std::string what, std::string hint = {});
 
+    /// Takes over what was found in a file inside this one.
+    void add(const Findings& inner);
+
     /// @throws InputError always
     [[noreturn]] void fail(std::size_t line, std::string what, std::string hint = {}) const;
 

@@ -216,7 +216,8 @@ TEST(FormatSniffing, IsNotMisledByTexts) {
 
 TEST(FormatSniffing, NamesWhatItCannotRead) {
     messages::expect_error({"", "PK\x03\x04 rest", "1: a ZIP container"}, "a.gldf");
-    messages::expect_error({"", "<?xml version=\"1.0\"?>\n<x/>", "1: XML, not LM-63"}, "a.xml");
+    messages::expect_error({"", "<?xml version=\"1.0\"?>\n<x/>", "2: XML with the root 'x'"},
+                           "a.xml");
     messages::expect_error({"", "hello\n", "1: neither LM-63 (no TILT= line) nor EULUMDAT"},
                            "a.txt");
     messages::expect_error({"", "IESNA:LM-63-2002\n", "1: no line begins with TILT="}, "a.txt");
