@@ -43,29 +43,46 @@ Receiver receiver(benchmark::IterationCount i) {
 }
 
 void unshadowed_kernel(benchmark::State& state) {
-    std::vector<float> u(cache().x.size());
-    benchmark::IterationCount i = 0;
-    for (auto _ : state) {
-        const Receiver r = receiver(i++);
-        evaluate_unshadowed(cache(), r, r.point, Weighting::balanced, u);
-        benchmark::DoNotOptimize(u.data());
+    const auto points = static_cast<std::size_t>(state.range(0));
+    std::vector<float> u(points * cache().blocks.size() * VertexBlock::size);
+    std::vector<float> sums(points * cache().blocks.size() * VertexBlock::columns);
+    std::vector<KernelReceiver> receivers;
+    for (std::size_t i = 0; i < points; ++i) {
+        const Receiver r = receiver(static_cast<benchmark::IterationCount>(i));
+        receivers.push_back(make_kernel_receiver(cache(), r, r.point));
     }
+    for (auto _ : state) {
+        weigh_vertices(
+            cache().blocks, IlluminanceKind::planar, Weighting::balanced, receivers, u, sums);
+        benchmark::DoNotOptimize(sums.data());
+    }
+    state.SetLabel(vertex_kernel_instructions());
     state.counters["seconds a pair"] = benchmark::Counter(
-        static_cast<double>(cache().size()),
+        static_cast<double>(cache().size() * points),
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK(unshadowed_kernel);
+BENCHMARK(unshadowed_kernel)->Arg(1)->Arg(16);
 
-void local_estimate_of_a_point(benchmark::State& state) {
-    std::vector<float> scratch;
-    benchmark::IterationCount i = 0;
+void local_estimate_of_points(benchmark::State& state) {
+    const auto draws = static_cast<std::size_t>(state.range(0));
+    LocalScratch scratch;
+    std::vector<Receiver> receivers;
+    std::vector<LocalPoint> points;
+    for (benchmark::IterationCount i = 0; i < 12; ++i)
+        receivers.push_back(receiver(i));
+    for (const Receiver& r : receivers)
+        points.push_back({&r, r.point, 0.37});
+    std::vector<Rgb> result(points.size());
     for (auto _ : state)
-        benchmark::DoNotOptimize(gather_local_estimate(
-            room(), cache(), receiver(i++), Weighting::balanced, 16, 0.37, scratch));
+        benchmark::DoNotOptimize(gather_local_estimates(
+            room(), cache(), points, Weighting::balanced, draws, scratch, result));
+    state.counters["seconds a point"] = benchmark::Counter(
+        static_cast<double>(points.size()),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK(local_estimate_of_a_point);
+BENCHMARK(local_estimate_of_points)->Arg(4)->Arg(16);
 
 void gather_of_a_point(benchmark::State& state) {
     const MirrorImages images(room());

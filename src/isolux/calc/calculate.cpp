@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -25,14 +24,6 @@ constexpr std::size_t fewest_replicates = 4;
 /// Up to so many active points all replicates of a unit run at once.
 constexpr std::size_t points_worth_waiting = 2048;
 
-/// The pilot: other replicates than the run itself, so that it only steers.
-constexpr std::size_t pilot_points = 64;
-constexpr std::size_t pilot_replicates = 8;
-constexpr std::uint32_t first_pilot_replicate = 1000;
-
-/// The first check comes no later than after this many units.
-constexpr std::size_t most_first_units = 256;
-
 /// A point darker than this share of its surface's mean is held to the tolerance of that share.
 constexpr double darkest_share = 0.02;
 
@@ -53,10 +44,9 @@ public:
     }
 
     Results run() {
-        engine_.prepare(receivers_);
-        const std::size_t first = settings_.fixed_units ? *settings_.fixed_units
-                                  : receivers_.empty()  ? 1
-                                                        : choose_first_units();
+        report("pilot");
+        const std::size_t chosen = engine_.prepare(receivers_, target());
+        const std::size_t first = settings_.fixed_units.value_or(chosen);
         expected_ = first * sums_.tiles().size();
         std::size_t done = 0;
         for (std::size_t check = 0, target = first;; ++check, target *= 2) {
@@ -78,60 +68,12 @@ public:
 private:
     // ---- steps ---------------------------------------------------------------------------
 
-    /// Units after which half of the pilot's points should be within the tolerance.
-    std::size_t choose_first_units() {
-        report("pilot");
-        const std::size_t n = receivers_.size();
-        const std::size_t step = (n + pilot_points - 1) / pilot_points;
-        const std::size_t points = (n + step - 1) / step;
-        std::vector<double> values(points * pilot_replicates);
-        std::vector<RayCounts> rays(points);
-        for_each_index(points, 4, [&](std::size_t p) {
-            engine_.plan_direct(p * step, rays[p]);
-            engine_.estimate_direct(
-                p * step,
-                0,
-                first_pilot_replicate,
-                std::span(values).subspan(p * pilot_replicates, pilot_replicates),
-                rays[p]);
-        });
-        if (!settings_.direct_only)
-            for (std::size_t r = 0; r < pilot_replicates; ++r) {
-                const auto replicate = static_cast<std::uint32_t>(first_pilot_replicate + r);
-                const VertexCache cache =
-                    engine_.needs_paths() ? engine_.build_cache(replicate, 0) : VertexCache{};
-                for_each_index(points, 4, [&](std::size_t p) {
-                    double e = 0.0;
-                    engine_.estimate_indirect(cache, p * step, replicate, 0, {&e, 1}, rays[p]);
-                    values[p * pilot_replicates + r] += e;
-                });
-            }
-        return first_units(values, points);
-    }
-
-    [[nodiscard]] std::size_t first_units(const std::vector<double>& values,
-                                          std::size_t points) const {
-        std::vector<Estimate> estimates(points);
-        double mean = 0.0;
-        for (std::size_t p = 0; p < points; ++p) {
-            estimates[p] = estimate_from_replicates(
-                std::span(values).subspan(p * pilot_replicates, pilot_replicates));
-            mean += estimates[p].mean / static_cast<double>(points);
-        }
-        const double factor = rule(sums_.tiles().front().surface).factor(0, replicates);
-        std::vector<double> wanted(points);
-        for (std::size_t p = 0; p < points; ++p) {
-            const double value = std::max(estimates[p].mean, floor_of(mean));
-            const double sigma =
-                estimates[p].standard_error
-                * std::sqrt(static_cast<double>(pilot_replicates) / replicates);
-            const double ratio =
-                value > 0.0 ? factor * sigma / (settings_.tolerance * value) : 0.0;
-            wanted[p] = ratio * ratio;
-        }
-        std::nth_element(wanted.begin(), wanted.begin() + points / 2, wanted.end());
-        const double median = std::clamp(wanted[points / 2], 1.0, double{most_first_units});
-        return std::bit_ceil(static_cast<std::size_t>(std::ceil(median)));
+    [[nodiscard]] PilotTarget target() const {
+        return {settings_.tolerance,
+                surfaces_.empty() ? 2.0 : rule(0).factor(0, replicates),
+                settings_.absolute_tolerance,
+                darkest_share,
+                static_cast<double>(replicates)};
     }
 
     /// One unit for every active tile. False if it was cut short; what is worth keeping is

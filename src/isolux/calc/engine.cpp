@@ -1,21 +1,17 @@
 #include "isolux/calc/engine.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "isolux/base/parallel.h"
-#include "isolux/transport/gather.h"
 #include "isolux/transport/local_estimator.h"
-#include "isolux/transport/path_tracer.h"
+#include "isolux/transport/walk_front.h"
 
 namespace isolux {
 
 namespace {
-
-/// Paths of the pilot that measures the mean chain length.
-constexpr std::size_t pilot_paths = 512;
-constexpr std::uint32_t pilot_replicate = 0xfffffeU;
 
 /// METHODS "Edges": nearer to the second surface than this times sqrt(A / M) a point is traced.
 constexpr double edge_factor = 0.4;
@@ -26,19 +22,11 @@ constexpr double widest_edge = 0.5;
 /// A receiver this near to a foreign surface is flagged, m.
 constexpr double too_near = 1e-3;
 
-/// Light paths a replicate's unit should walk for so many points: the cost of the paths is
-/// shared by the points, METHODS "Choosing M, K, N2".
-std::size_t paths_for(std::size_t points) {
-    const double wanted =
-        128.0 * std::sqrt(static_cast<double>(std::max<std::size_t>(points, 1)));
-    return std::clamp<std::size_t>(std::bit_ceil(static_cast<std::size_t>(wanted)), 256, 8192);
-}
+/// A point that this many paths would leave to the edge rule is no matter for the pilot.
+constexpr double paths_at_edges = 4096.0;
 
-/// Gather rays a point should send: a point among few is worth as much work as the paths cost
-/// it.
-std::size_t directions_for(std::size_t points, std::size_t paths) {
-    return std::clamp<std::size_t>(
-        std::bit_floor(paths / std::max<std::size_t>(points, 1)), 4, 16);
+double edge_distance(const Scene& scene, double paths) {
+    return std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / paths));
 }
 
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
@@ -77,46 +65,77 @@ void Engine::adapt(std::span<const std::size_t> active) {
             return estimators_[i] != PointEstimator::path_tracing;
         }));
     needs_paths_ = !settings_.direct_only && by_paths > 0;
-    fix_directions(by_paths);
+    // More for each of few points; never less, so that no number is drawn twice.
+    const Effort balanced = balance_effort(pilot_.all, costs_, by_paths, effort_.paths);
+    effort_.draws = std::max(effort_.draws, balanced.draws);
+    effort_.directions = std::max(effort_.directions, balanced.directions);
+    fix_counts();
 }
 
-void Engine::fix_directions(std::size_t points) {
-    effort_.directions = directions_for(points, effort_.paths);
+void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
     const double directions = static_cast<double>(effort_.directions);
-    counts_ = {paths, paths * vertices_per_path_, directions, directions};
+    counts_ = {paths, paths * pilot_.vertices_per_path, directions, directions};
 }
 
-void Engine::prepare(std::vector<Receiver> receivers) {
-    receivers_ = std::move(receivers);
-    effort_.paths = paths_for(receivers_.size());
-
-    // Mean number of vertices of a path: a constant of the run, never a replicate's own count.
-    if (emission_.total_flux() > 0.0) {
-        const VertexCache pilot =
-            build_vertex_cache(*scene_,
-                               emission_,
-                               PathRandomness(settings_.seed, pilot_replicate),
-                               0,
-                               pilot_paths,
-                               EffectiveCounts{});
-        vertices_per_path_ = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
-    }
-    fix_directions(receivers_.size());
-
-    // Which points are traced instead: a matter of geometry only, so it biases nothing.
-    plans_.assign(receivers_.size(), {});
-    estimators_.assign(receivers_.size(), PointEstimator::mis);
+/// Distances to the surfaces around; receivers that lie on one are moved off it.
+void Engine::find_surroundings() {
     near_surface_.assign(receivers_.size(), 0);
-    const double edge = std::min(
-        widest_edge,
-        edge_factor * std::sqrt(scene_->total_area / static_cast<double>(effort_.paths)));
+    second_.resize(receivers_.size());
+    clear_.resize(receivers_.size());
+    plans_.assign(receivers_.size(), {});
     for_each_index(receivers_.size(), 64, [&](std::size_t i) {
         Receiver& receiver = receivers_[i];
-        const SurfaceDistances d = scene_->caster.find_nearest_surfaces(
-            receiver.point, std::max(edge, 2.0 * too_near));
+        const SurfaceDistances d =
+            scene_->caster.find_nearest_surfaces(receiver.point, widest_edge);
         near_surface_[i] = d.second < too_near ? 1 : 0;
+        second_[i] = static_cast<float>(d.second);
         receiver.point = moved_off(receiver, d);
+        clear_[i] = clear_point(*scene_, receiver);
+    });
+}
+
+std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& target) {
+    receivers_ = std::move(receivers);
+    find_surroundings();
+    if (receivers_.empty())
+        return 1;
+    const auto edge = static_cast<float>(edge_distance(*scene_, paths_at_edges));
+    std::vector<PointClass> classes(receivers_.size());
+    for (std::size_t i = 0; i < classes.size(); ++i)
+        classes[i] = second_[i] < edge          ? PointClass::edge
+                     : second_[i] < widest_edge ? PointClass::near
+                                                : PointClass::open;
+    pilot_ = run_pilot({scene_,
+                        &emission_,
+                        &images_,
+                        receivers_,
+                        clear_,
+                        classes,
+                        settings_.seed,
+                        !settings_.direct_only,
+                        [&](std::size_t i, std::uint32_t first, std::span<double> values) {
+                            RayCounts unused;
+                            plan_direct(i, unused);
+                            estimate_direct(i, 0, first, values, unused);
+                        }},
+                       target);
+    costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path);
+    const auto away = static_cast<std::size_t>(std::count_if(
+        classes.begin(), classes.end(), [](PointClass c) { return c != PointClass::edge; }));
+    plan_ = make_work_plan(settings_, pilot_, costs_, away);
+    effort_ = plan_.effort;
+    fix_counts();
+    choose_estimators();
+    return plan_.units;
+}
+
+/// Which points are traced: a matter of geometry and of the pilot only, so it biases nothing.
+void Engine::choose_estimators() {
+    estimators_.assign(receivers_.size(), PointEstimator::mis);
+    const auto edge =
+        static_cast<float>(edge_distance(*scene_, static_cast<double>(effort_.paths)));
+    for (std::size_t i = 0; i < receivers_.size(); ++i)
         switch (settings_.estimator) {
         case Estimator::local_estimation:
             estimators_[i] = PointEstimator::local;
@@ -127,11 +146,12 @@ void Engine::prepare(std::vector<Receiver> receivers) {
         case Estimator::local_estimation_mis:
             break;
         case Estimator::automatic:
-            if (d.second < edge)
-                estimators_[i] = PointEstimator::path_tracing;
+            estimators_[i] = second_[i] < edge ? PointEstimator::path_tracing
+                             : second_[i] < static_cast<float>(widest_edge)
+                                 ? plan_.of_class[static_cast<std::size_t>(PointClass::near)]
+                                 : plan_.of_class[static_cast<std::size_t>(PointClass::open)];
             break;
         }
-    });
     needs_paths_ = !settings_.direct_only
                    && std::any_of(estimators_.begin(), estimators_.end(), [](PointEstimator e) {
                           return e != PointEstimator::path_tracing;
@@ -147,53 +167,89 @@ VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) con
                               counts_);
 }
 
+void Engine::estimate_local(const VertexCache& cache,
+                            std::span<const std::size_t> points,
+                            std::size_t first,
+                            std::uint32_t replicate,
+                            std::uint32_t unit,
+                            Weighting weighting,
+                            std::span<Rgb> light,
+                            RayCounts& rays) const {
+    thread_local LocalScratch scratch;
+    thread_local std::vector<LocalPoint> locals;
+    thread_local std::vector<Rgb> sums;
+    const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
+    locals.clear();
+    for (const std::size_t i : points)
+        locals.push_back({&receivers_[i], clear_[i], subset.uniform(i, unit)});
+    sums.assign(points.size(), {});
+    gather_local_estimates(*scene_, cache, locals, weighting, effort_.draws, scratch, sums);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        light[points[k] - first] += sums[k];
+    rays.shadow += effort_.draws * points.size();
+}
+
+void Engine::send_rays(const VertexCache& cache,
+                       std::span<const std::size_t> points,
+                       std::size_t first,
+                       std::uint32_t replicate,
+                       std::uint32_t unit,
+                       PointEstimator estimator,
+                       std::span<Rgb> light,
+                       RayCounts& rays) const {
+    thread_local WalkFront front;
+    thread_local std::vector<RayPoint> senders;
+    thread_local std::vector<Rgb> sums;
+    senders.clear();
+    for (const std::size_t i : points)
+        senders.push_back(
+            {&receivers_[i], clear_[i], {settings_.seed, StreamPurpose::gather, replicate, i}});
+    sums.assign(points.size(), {});
+    front.start(*scene_, emission_, images_, senders);
+    if (estimator == PointEstimator::path_tracing) {
+        front.add_tracing(effort_.samples, static_cast<std::uint32_t>(unit * effort_.samples));
+    } else {
+        front.share_with(cache, counts_, estimator == PointEstimator::mis);
+        front.add_gathering(effort_.directions,
+                            static_cast<std::uint32_t>(unit * effort_.directions));
+    }
+    rays.gather += front.run({sums, {}, {}});
+    for (std::size_t k = 0; k < points.size(); ++k)
+        light[points[k] - first] += sums[k];
+}
+
 void Engine::estimate_indirect(const VertexCache& cache,
                                std::size_t first,
                                std::uint32_t replicate,
                                std::uint32_t unit,
                                std::span<double> result,
                                RayCounts& rays) const {
-    thread_local std::vector<float> scratch;
-    const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const std::size_t index = first + i;
-        const Receiver& receiver = receivers_[index];
-        const PointRandomness random(settings_.seed, StreamPurpose::gather, replicate, index);
-        Rgb e;
-        if (estimators_[index] == PointEstimator::path_tracing) {
-            e = trace_indirect(*scene_,
-                               emission_,
-                               images_,
-                               receiver,
-                               effort_.samples,
-                               static_cast<std::uint32_t>(unit * effort_.samples),
-                               random,
-                               rays.gather);
-        } else {
-            const bool alone = estimators_[index] == PointEstimator::local;
-            e = gather_local_estimate(*scene_,
-                                      cache,
-                                      receiver,
-                                      alone ? Weighting::alone : Weighting::balanced,
-                                      effort_.draws,
-                                      subset.uniform(index, unit),
-                                      scratch);
-            rays.shadow += effort_.draws;
-            if (!alone || images_.scene_has_mirrors())
-                e += gather_indirect(*scene_,
-                                     emission_,
-                                     images_,
-                                     cache,
-                                     counts_,
-                                     receiver,
-                                     alone ? GatherPart::mirrors_only : GatherPart::balanced,
-                                     effort_.directions,
-                                     static_cast<std::uint32_t>(unit * effort_.directions),
-                                     random,
-                                     rays.gather);
-        }
-        result[i] = finite_lux(e, rays);
+    thread_local std::vector<Rgb> light;
+    thread_local std::vector<std::size_t> points;
+    light.assign(result.size(), {});
+    for (const PointEstimator estimator :
+         {PointEstimator::local, PointEstimator::mis, PointEstimator::path_tracing}) {
+        points.clear();
+        for (std::size_t i = first; i < first + result.size(); ++i)
+            if (estimators_[i] == estimator)
+                points.push_back(i);
+        if (points.empty())
+            continue;
+        const bool alone = estimator == PointEstimator::local;
+        if (estimator != PointEstimator::path_tracing)
+            estimate_local(cache,
+                           points,
+                           first,
+                           replicate,
+                           unit,
+                           alone ? Weighting::alone : Weighting::balanced,
+                           light,
+                           rays);
+        if (!alone || images_.scene_has_mirrors())
+            send_rays(cache, points, first, replicate, unit, estimator, light, rays);
     }
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] = finite_lux(light[i], rays);
 }
 
 void Engine::plan_direct(std::size_t index, RayCounts& rays) {
@@ -225,16 +281,28 @@ std::string Engine::describe() const {
     const auto count = [&](PointEstimator e) {
         return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
     };
-    std::string text = "light paths per replicate and unit: " + std::to_string(effort_.paths);
+    const std::string text =
+        fmt::format("light paths per replicate and unit: {}, shadow rays a point: {}",
+                    effort_.paths,
+                    effort_.draws);
     switch (settings_.estimator) {
     case Estimator::local_estimation:
         return "local estimation; " + text;
     case Estimator::path_tracing:
-        return "path tracing from the points";
-    default:
-        return "local estimation with one gather bounce (" + count(PointEstimator::mis)
-               + " points), path tracing next to edges (" + count(PointEstimator::path_tracing)
-               + " points); " + text;
+        return fmt::format(
+            "path tracing from the points; paths a point, replicate and unit: {}",
+            effort_.samples);
+    default: {
+        const std::string pilot = describe_advantage(plan_);
+        return fmt::format(
+            "local estimation with one gather bounce ({} points{}), path tracing "
+            "next to edges ({} points); {}, gather rays: {}",
+            count(PointEstimator::mis),
+            pilot.empty() ? "" : "; " + pilot,
+            count(PointEstimator::path_tracing),
+            text,
+            effort_.directions);
+    }
     }
 }
 

@@ -6,23 +6,12 @@
 
 #include "isolux/calc/project.h"
 #include "isolux/calc/results.h"
+#include "isolux/calc/work_plan.h"
 #include "isolux/transport/direct_light.h"
-#include "isolux/transport/light_path.h"
 #include "isolux/transport/mirror_images.h"
+#include "isolux/transport/vertex_cache.h"
 
 namespace isolux {
-
-/// How much one unit of work holds. A unit of one replicate is `paths` light paths and, at
-/// every point, `draws` shadow rays, `directions` gather rays or `samples` traced paths.
-struct Effort {
-    std::size_t paths = 1024; ///< a power of two
-    std::size_t draws = 16;
-    std::size_t directions = 4;
-    std::size_t samples = 32; ///< path tracing
-};
-
-/// Which estimator of the indirect part a point takes.
-enum class PointEstimator : std::uint8_t { local, mis, path_tracing };
 
 /// What one replicate of one unit adds to the flux balance, lm.
 struct ReplicateFlux {
@@ -38,10 +27,10 @@ public:
 
     [[nodiscard]] const Emission& emission() const noexcept { return emission_; }
 
-    /// Takes the receivers, and fixes effort and the constants of METHODS eq. (11) from a pilot
-    /// of a few paths. A receiver that lies on a surface and does not look away from it is
-    /// moved off it.
-    void prepare(std::vector<Receiver> receivers);
+    /// Takes the receivers, and fixes effort, estimators and the constants of METHODS eq. (11)
+    /// from a pilot of a few paths. A receiver that lies on a surface and does not look away
+    /// from it is moved off it. @return units of work before the first look
+    std::size_t prepare(std::vector<Receiver> receivers, const PilotTarget& target);
 
     /// Fits the work to the points that still need any: the light paths cost the same for few
     /// as for many, and points that are traced need none. Numbers drawn before stay drawn.
@@ -88,19 +77,41 @@ public:
     [[nodiscard]] std::string describe() const;
 
 private:
-    void fix_directions(std::size_t points);
+    void find_surroundings();
+    void choose_estimators();
+    void fix_counts();
+    void estimate_local(const VertexCache& cache,
+                        std::span<const std::size_t> points,
+                        std::size_t first,
+                        std::uint32_t replicate,
+                        std::uint32_t unit,
+                        Weighting weighting,
+                        std::span<Rgb> light,
+                        RayCounts& rays) const;
+    void send_rays(const VertexCache& cache,
+                   std::span<const std::size_t> points,
+                   std::size_t first,
+                   std::uint32_t replicate,
+                   std::uint32_t unit,
+                   PointEstimator estimator,
+                   std::span<Rgb> light,
+                   RayCounts& rays) const;
 
     const Scene* scene_;
     Settings settings_;
     Emission emission_;
     MirrorImages images_;
     DirectLight direct_;
+    WorkPlan plan_;
     Effort effort_;
     EffectiveCounts counts_;
-    double vertices_per_path_ = 1.0; ///< of the pilot
+    UnitCosts costs_;
+    Pilot pilot_;
     std::vector<Receiver> receivers_;
     std::vector<DirectPlan> plans_;
+    std::vector<Point3> clear_; ///< where their rays start
     std::vector<PointEstimator> estimators_;
+    std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;
     bool needs_paths_ = true;
 };

@@ -1,6 +1,7 @@
 #include "isolux/scene/embree_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #if __has_include(<embree4/rtcore.h>)
@@ -24,6 +25,8 @@ void intersect(RTCScene scene, RTCRayHit& ray) noexcept { rtcIntersect1(scene, &
 
 void occluded(RTCScene scene, RTCRay& ray) noexcept { rtcOccluded1(scene, &ray, nullptr); }
 
+// Sixteen rays at once, or twice eight where the machine has no registers for more.
+
 void occluded(const int* valid, RTCScene scene, RTCRay8& rays) noexcept {
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
@@ -36,6 +39,20 @@ void occluded(const int* valid, RTCScene scene, RTCRay16& rays) noexcept {
     rtcInitOccludedArguments(&arguments);
     arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcOccluded16(valid, scene, &rays, &arguments);
+}
+
+void intersect(const int* valid, RTCScene scene, RTCRayHit8& rays) noexcept {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect8(valid, scene, &rays, &arguments);
+}
+
+void intersect(const int* valid, RTCScene scene, RTCRayHit16& rays) noexcept {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &rays, &arguments);
 }
 
 #else
@@ -65,6 +82,16 @@ void occluded(const int* valid, RTCScene scene, RTCRay8& rays) noexcept {
 void occluded(const int* valid, RTCScene scene, RTCRay16& rays) noexcept {
     auto context = make_context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
     rtcOccluded16(valid, scene, &context, &rays);
+}
+
+void intersect(const int* valid, RTCScene scene, RTCRayHit8& rays) noexcept {
+    auto context = make_context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    rtcIntersect8(valid, scene, &context, &rays);
+}
+
+void intersect(const int* valid, RTCScene scene, RTCRayHit16& rays) noexcept {
+    auto context = make_context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+    rtcIntersect16(valid, scene, &context, &rays);
 }
 
 #endif
@@ -141,32 +168,70 @@ RTCRay to_embree(const TracedRay& r) noexcept {
     return ray;
 }
 
-/// Traces up to `Width` rays at once. Embree marks an occluded ray by a negative end.
-template <class Packet, std::size_t Width>
-std::uint32_t
-occluded_bits(RTCScene scene, std::span<const TracedRay> rays, std::uint32_t wanted) noexcept {
-    alignas(64) int valid[Width] = {};
-    Packet packet{};
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if ((wanted >> i & 1U) == 0)
-            continue;
-        valid[i] = -1;
-        packet.org_x[i] = static_cast<float>(rays[i].from.x);
-        packet.org_y[i] = static_cast<float>(rays[i].from.y);
-        packet.org_z[i] = static_cast<float>(rays[i].from.z);
-        packet.dir_x[i] = static_cast<float>(rays[i].direction.x);
-        packet.dir_y[i] = static_cast<float>(rays[i].direction.y);
-        packet.dir_z[i] = static_cast<float>(rays[i].direction.z);
-        packet.tnear[i] = static_cast<float>(rays[i].near);
-        packet.tfar[i] = static_cast<float>(rays[i].far);
-        packet.mask[i] = ~0U;
+/// Lanes [first, first + Width) of a packet as Embree wants them.
+template <std::size_t Width, class Rays>
+void to_embree(const RayPacket& from, std::size_t first, Rays& rays) noexcept {
+    const auto copy = [first](const RayPacket::Lanes& lanes, float* to) {
+        std::copy_n(lanes.data() + first, Width, to);
+    };
+    copy(from.from_x, rays.org_x);
+    copy(from.from_y, rays.org_y);
+    copy(from.from_z, rays.org_z);
+    copy(from.direction_x, rays.dir_x);
+    copy(from.direction_y, rays.dir_y);
+    copy(from.direction_z, rays.dir_z);
+    copy(from.near, rays.tnear);
+    copy(from.far, rays.tfar);
+    std::fill_n(rays.time, Width, 0.0F);
+    std::fill_n(rays.mask, Width, ~0U);
+    std::fill_n(rays.flags, Width, 0U);
+}
+
+template <std::size_t Width> struct ValidLanes {
+    alignas(64) std::array<int, Width> lanes;
+
+    explicit ValidLanes(std::uint32_t wanted) noexcept {
+        for (std::size_t i = 0; i < Width; ++i)
+            lanes[i] = -static_cast<int>(wanted >> i & 1U);
     }
-    occluded(valid, scene, packet);
+};
+
+/// Embree marks an occluded ray by a negative end.
+template <std::size_t Width, class Rays>
+std::uint32_t occluded_bits(RTCScene scene,
+                            const RayPacket& packet,
+                            std::size_t first,
+                            std::uint32_t wanted) noexcept {
+    const ValidLanes<Width> valid(wanted);
+    Rays rays;
+    to_embree<Width>(packet, first, rays);
+    occluded(valid.lanes.data(), scene, rays);
     std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < rays.size(); ++i)
-        if (valid[i] != 0 && packet.tfar[i] < 0.0F)
-            bits |= 1U << i;
-    return bits;
+    for (std::size_t i = 0; i < Width; ++i)
+        bits |= static_cast<std::uint32_t>(rays.tfar[i] < 0.0F) << i;
+    return bits & wanted;
+}
+
+template <std::size_t Width, class Rays>
+std::uint32_t hit_bits(RTCScene scene,
+                       const RayPacket& packet,
+                       std::size_t first,
+                       std::uint32_t wanted,
+                       PacketHits& hits) noexcept {
+    const ValidLanes<Width> valid(wanted);
+    Rays query;
+    to_embree<Width>(packet, first, query.ray);
+    std::fill_n(query.hit.geomID, Width, RTC_INVALID_GEOMETRY_ID);
+    std::fill_n(query.hit.instID[0], Width, RTC_INVALID_GEOMETRY_ID);
+    intersect(valid.lanes.data(), scene, query);
+    std::copy_n(query.hit.primID, Width, hits.triangle.data() + first);
+    std::copy_n(query.hit.u, Width, hits.u.data() + first);
+    std::copy_n(query.hit.v, Width, hits.v.data() + first);
+    std::copy_n(query.ray.tfar, Width, hits.t.data() + first);
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < Width; ++i)
+        bits |= static_cast<std::uint32_t>(query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID) << i;
+    return bits & wanted;
 }
 
 } // namespace
@@ -209,17 +274,29 @@ bool EmbreeScene::is_occluded(const TracedRay& ray) const noexcept {
     return query.tfar < 0.0F;
 }
 
-std::uint32_t EmbreeScene::find_occluded(std::span<const TracedRay> rays,
+std::uint32_t EmbreeScene::find_occluded(const RayPacket& rays,
                                          std::uint32_t wanted) const noexcept {
-    ISOLUX_EXPECT(rays.size() <= packet_width);
     const RTCScene scene = handles_->scene.get();
     if (handles_->has_wide_packets)
-        return occluded_bits<RTCRay16, 16>(scene, rays, wanted);
-    const std::size_t half = std::min<std::size_t>(8, rays.size());
-    const std::uint32_t low = occluded_bits<RTCRay8, 8>(scene, rays.first(half), wanted);
-    return half == rays.size()
-               ? low
-               : low | occluded_bits<RTCRay8, 8>(scene, rays.subspan(half), wanted >> 8) << 8;
+        return occluded_bits<16, RTCRay16>(scene, rays, 0, wanted);
+    std::uint32_t bits = 0;
+    for (const std::size_t first : {0U, 8U})
+        if (const std::uint32_t half = wanted >> first & 0xffU)
+            bits |= occluded_bits<8, RTCRay8>(scene, rays, first, half) << first;
+    return bits;
+}
+
+std::uint32_t EmbreeScene::find_first_hits(const RayPacket& rays,
+                                           std::uint32_t wanted,
+                                           PacketHits& hits) const noexcept {
+    const RTCScene scene = handles_->scene.get();
+    if (handles_->has_wide_packets)
+        return hit_bits<16, RTCRayHit16>(scene, rays, 0, wanted, hits);
+    std::uint32_t bits = 0;
+    for (const std::size_t first : {0U, 8U})
+        if (const std::uint32_t half = wanted >> first & 0xffU)
+            bits |= hit_bits<8, RTCRayHit8>(scene, rays, first, half, hits) << first;
+    return bits;
 }
 
 void EmbreeScene::visit_near(

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -28,13 +30,44 @@ struct TracedHit {
     double t = 0.0; ///< in lengths of the ray's direction
 };
 
+/// Sixteen rays side by side, already in the ray tracer's own precision.
+struct alignas(64) RayPacket {
+    static constexpr std::size_t width = 16;
+    using Lanes = std::array<float, width>;
+
+    Lanes from_x, from_y, from_z;
+    Lanes direction_x, direction_y, direction_z;
+    Lanes near, far;
+
+    void set(std::size_t lane, const TracedRay& ray) noexcept {
+        from_x[lane] = static_cast<float>(ray.from.x);
+        from_y[lane] = static_cast<float>(ray.from.y);
+        from_z[lane] = static_cast<float>(ray.from.z);
+        direction_x[lane] = static_cast<float>(ray.direction.x);
+        direction_y[lane] = static_cast<float>(ray.direction.y);
+        direction_z[lane] = static_cast<float>(ray.direction.z);
+        near[lane] = static_cast<float>(ray.near);
+        far[lane] = static_cast<float>(ray.far);
+    }
+};
+
+/// Where the rays of a packet meet triangles.
+struct alignas(64) PacketHits {
+    std::array<std::uint32_t, RayPacket::width> triangle;
+    RayPacket::Lanes u, v, t;
+
+    [[nodiscard]] TracedHit operator[](std::size_t lane) const noexcept {
+        const double a = std::clamp<double>(u[lane], 0.0, 1.0);
+        const double b = std::clamp<double>(v[lane], 0.0, 1.0 - a);
+        return {triangle[lane], a, b, static_cast<double>(t[lane])};
+    }
+};
+
 /// Triangles in a search tree of Embree, watertight ("robust"). Only its source file knows
 /// which Embree it is (3.13 or 4), and only there coordinates become float. Safe to query from
 /// any number of threads.
 class EmbreeScene {
 public:
-    static constexpr std::size_t packet_width = 16;
-
     /// @param corners  three for each triangle; at least one triangle
     /// @throws DeviceError
     explicit EmbreeScene(std::span<const Vector3> corners);
@@ -45,10 +78,15 @@ public:
     [[nodiscard]] std::optional<TracedHit> find_first_hit(const TracedRay& ray) const noexcept;
     [[nodiscard]] bool is_occluded(const TracedRay& ray) const noexcept;
 
-    /// Bit i is set if ray i is occluded; only rays whose bit in `wanted` is set are traced.
-    /// @pre at most packet_width rays
-    [[nodiscard]] std::uint32_t find_occluded(std::span<const TracedRay> rays,
+    /// Bit i is set if ray i is occluded; only rays whose bit in `wanted` is set are traced,
+    /// the other lanes may hold anything.
+    [[nodiscard]] std::uint32_t find_occluded(const RayPacket& rays,
                                               std::uint32_t wanted) const noexcept;
+
+    /// Bit i is set if ray i meets a triangle; then `hits` tells the first one.
+    [[nodiscard]] std::uint32_t find_first_hits(const RayPacket& rays,
+                                                std::uint32_t wanted,
+                                                PacketHits& hits) const noexcept;
 
     /// Calls `visit` with every triangle whose box meets the sphere about `p`, in an order that
     /// only the triangles decide; it may be called with others, too. `visit` must not throw.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -71,7 +72,17 @@ struct RayCaster::Implementation {
         return hit;
     }
 
+    [[nodiscard]] SurfaceHit make_hit(const Vector3& from,
+                                      const Vector3& direction,
+                                      const TracedHit& hit,
+                                      bool is_pane) const noexcept;
+    [[nodiscard]] double
+    dim(std::uint32_t pane, const Vector3& way, double distance) const noexcept;
     [[nodiscard]] double pass_panes(const Vector3& from, const Vector3& to) const noexcept;
+    void pass_panes16(std::span<const SightSegment> segments,
+                      RayPacket& rays,
+                      std::uint32_t wanted,
+                      std::span<float> result) const noexcept;
 };
 
 RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triangles)
@@ -90,6 +101,32 @@ RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triang
     pane_scene = build(panes);
 }
 
+SurfaceHit RayCaster::Implementation::make_hit(const Vector3& from,
+                                               const Vector3& direction,
+                                               const TracedHit& hit,
+                                               bool is_pane) const noexcept {
+    const Piece* piece = is_pane ? &panes[hit.triangle] : &opaque[hit.triangle];
+    Vector3 at = piece->at(hit.u, hit.v);
+    if (!is_pane) {
+        piece = &opaque[front_twin(hit.triangle, at, direction)];
+        at = at - dot(piece->normal, at - piece->a) * Vector3(piece->normal);
+    }
+    const bool is_front = dot(piece->normal, direction) <= 0.0;
+    return {piece->id,
+            dot(at - from, direction),
+            centre + at,
+            is_front ? piece->normal : -piece->normal,
+            is_front};
+}
+
+/// Transmittance of a pane that a segment crosses.
+double RayCaster::Implementation::dim(std::uint32_t pane,
+                                      const Vector3& way,
+                                      double distance) const noexcept {
+    const double cos_theta = std::abs(dot(panes[pane].normal, way)) / distance;
+    return evaluate_slab(panes[pane].pane, cos_theta).transmittance;
+}
+
 /// Walks from pane to pane. Panes closer together than two offsets count as one, so that the
 /// seam between the two triangles of a pane does not dim the light twice.
 double RayCaster::Implementation::pass_panes(const Vector3& from,
@@ -103,12 +140,33 @@ double RayCaster::Implementation::pass_panes(const Vector3& from,
         const auto hit = pane_scene->find_first_hit({from, way, near, far});
         if (!hit)
             break;
-        const Piece& piece = panes[hit->triangle];
-        const double cos_theta = std::abs(dot(piece.normal, way)) / distance;
-        passed *= evaluate_slab(piece.pane, cos_theta).transmittance;
+        passed *= dim(hit->triangle, way, distance);
         near = hit->t + step;
     }
     return passed;
+}
+
+/// The same for a packet: rays go on from pane to pane together until none meets another.
+void RayCaster::Implementation::pass_panes16(std::span<const SightSegment> segments,
+                                             RayPacket& rays,
+                                             std::uint32_t wanted,
+                                             std::span<float> result) const noexcept {
+    PacketHits hits;
+    while (wanted != 0) {
+        wanted = pane_scene->find_first_hits(rays, wanted, hits);
+        for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+            const Vector3 from = segments[i].a - centre;
+            const Vector3 to = segments[i].b - centre;
+            const Vector3 way = to - from;
+            const double distance = length(way);
+            const double step = 2.0 * std::max(offset_at(from), offset_at(to)) / distance;
+            result[i] *= static_cast<float>(dim(hits.triangle[i], way, distance));
+            rays.near[i] = static_cast<float>(static_cast<double>(hits.t[i]) + step);
+            if (!(rays.near[i] < rays.far[i]) || result[i] <= 0.0F)
+                wanted &= ~(1U << i);
+        }
+    }
 }
 
 RayCaster::RayCaster(std::span<const CasterTriangle> triangles)
@@ -132,20 +190,7 @@ std::optional<SurfaceHit> RayCaster::find_first_hit(const Point3& origin,
         pane.reset();
     if (!pane && !wall)
         return std::nullopt;
-
-    const TracedHit& hit = pane ? *pane : *wall;
-    const Piece* piece = pane ? &self.panes[hit.triangle] : &self.opaque[hit.triangle];
-    Vector3 at = piece->at(hit.u, hit.v);
-    if (!pane) {
-        piece = &self.opaque[self.front_twin(hit.triangle, at, direction)];
-        at = at - dot(piece->normal, at - piece->a) * Vector3(piece->normal);
-    }
-    const bool is_front = dot(piece->normal, direction) <= 0.0;
-    return SurfaceHit{piece->id,
-                      dot(at - from, direction),
-                      self.centre + at,
-                      is_front ? piece->normal : -piece->normal,
-                      is_front};
+    return self.make_hit(from, direction, pane ? *pane : *wall, pane.has_value());
 }
 
 Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
@@ -171,29 +216,25 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
                                 std::span<float> result) const noexcept {
     ISOLUX_EXPECT(segments.size() <= packet_size && result.size() >= segments.size());
     const auto& self = *implementation_;
-    std::array<TracedRay, packet_size> rays;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        if ((wanted >> i & 1U) == 0)
-            continue;
+    RayPacket packet{};
+    for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         const Vector3 from = segments[i].a - self.centre;
         const Vector3 to = segments[i].b - self.centre;
         const Vector3 way = to - from;
-        rays[i] = {from, way, 0.0, Implementation::end_of(to, length(way))};
+        packet.set(i, {from, way, 0.0, Implementation::end_of(to, length(way))});
         result[i] = 1.0F;
-        if (!(rays[i].far > 0.0))
+        if (!(packet.far[i] > 0.0F))
             wanted &= ~(1U << i); // too short for anything to stand between
     }
+    if (wanted == 0)
+        return;
     const std::uint32_t occluded =
-        self.opaque_scene
-            ? self.opaque_scene->find_occluded(std::span(rays).first(segments.size()), wanted)
-            : 0U;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        if ((occluded >> i & 1U) != 0)
-            result[i] = 0.0F;
-        else if (self.pane_scene && (wanted >> i & 1U) != 0)
-            result[i] = static_cast<float>(
-                self.pass_panes(rays[i].from, rays[i].from + rays[i].direction));
-    }
+        self.opaque_scene ? self.opaque_scene->find_occluded(packet, wanted) : 0U;
+    for (std::uint32_t rest = occluded; rest != 0; rest &= rest - 1)
+        result[static_cast<std::size_t>(std::countr_zero(rest))] = 0.0F;
+    if (self.pane_scene)
+        self.pass_panes16(segments, packet, wanted & ~occluded, result);
 }
 
 bool RayCaster::has_panes() const noexcept { return !implementation_->panes.empty(); }

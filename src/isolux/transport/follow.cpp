@@ -12,8 +12,10 @@ constexpr double grazing_slack = 4e-5;
 
 } // namespace
 
-Rgb seen_openings(const Emission& emission, const Branch& ray, double reach) noexcept {
-    Rgb sum;
+void visit_seen_openings(const Emission& emission,
+                         const Branch& ray,
+                         double reach,
+                         const std::function<void(std::size_t, const Rgb&)>& see) {
     for (std::size_t l = 0; l < emission.luminaires(); ++l) {
         const Opening& opening = emission.luminaire(l).opening;
         for (std::size_t f = 0; f < opening.facets.size(); ++f) {
@@ -34,10 +36,66 @@ Rgb seen_openings(const Emission& emission, const Branch& ray, double reach) noe
             if (!inside)
                 continue;
             const double density = emission.evaluate({l, f, p}, -ray.w);
-            sum += (density / std::abs(slope)) * emission.colour(l);
+            see(l, (density / std::abs(slope)) * emission.colour(l));
         }
     }
-    return sum;
+}
+
+std::optional<Meeting> meet_surface(const Scene& scene,
+                                    const Branch& ray,
+                                    const SurfaceHit& hit,
+                                    const SurfaceEvent& event) noexcept {
+    if (max_channel(event.diffuse) <= 0.0)
+        return std::nullopt;
+    return Meeting{scene.caster.offset_point(hit.position, hit.normal),
+                   hit.normal,
+                   event.diffuse,
+                   scene.triangle(hit.triangle).material,
+                   std::max(0.0, -dot(hit.normal, ray.w)),
+                   ray.throughput,
+                   ray.travelled + hit.distance,
+                   ray.reflections};
+}
+
+Onward go_on(const Scene& scene,
+             const Branch& ray,
+             const SurfaceHit& hit,
+             const SurfaceEvent& event,
+             NumberSequence& numbers) noexcept {
+    Onward onward;
+    if (event.mirror <= 0.0 && event.straight <= 0.0)
+        return onward;
+    Branch passing{scene.caster.offset_point(hit.position, ray.w),
+                   ray.w,
+                   ray.throughput * event.straight,
+                   ray.travelled + hit.distance,
+                   ray.reflections};
+    Branch mirrored{scene.caster.offset_point(hit.position, hit.normal),
+                    reflect(ray.w, hit.normal),
+                    ray.throughput * event.mirror,
+                    0.0,
+                    ray.reflections + 1};
+    bool passes = event.straight > 0.0;
+    bool returns = event.mirror > 0.0;
+    if (ray.reflections >= certain_reflections) {
+        // Long chains play for everything: at most one branch lives on.
+        const double lives = std::min(0.999, event.mirror + event.straight);
+        const double u = numbers.next();
+        const double share = event.mirror / (event.mirror + event.straight);
+        returns = u < lives * share;
+        passes = !returns && u < lives;
+        mirrored.throughput = passing.throughput =
+            ray.throughput * (event.mirror + event.straight) / lives;
+    } else if (returns && event.is_pane) {
+        const double survival = std::min(0.999, event.mirror);
+        returns = numbers.next() < survival;
+        mirrored.throughput /= survival;
+    }
+    if (returns)
+        onward.branches[onward.count++] = mirrored;
+    if (passes)
+        onward.branches[onward.count++] = passing;
+    return onward;
 }
 
 } // namespace isolux

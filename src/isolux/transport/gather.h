@@ -1,8 +1,8 @@
 #pragma once
 
 #include "isolux/base/receiver.h"
-#include "isolux/transport/light_path.h"
 #include "isolux/transport/point_randomness.h"
+#include "isolux/transport/vertex_cache.h"
 
 namespace isolux {
 
@@ -16,10 +16,10 @@ enum class GatherPart {
                   ///< receiver by mirrors
 };
 
-/// The gather half of LE-MIS, METHODS "LE-MIS" technique T2: `directions` rays from the
-/// receiver; where they meet a diffuse surface, a luminaire sample and one cached vertex light
-/// it. Rays go on through panes and mirrors. Emission of luminaires seen in mirrors counts
-/// unless `images` does it.
+/// The gather half of LE-MIS for one receiver, METHODS "LE-MIS" technique T2: `directions` rays
+/// from the receiver; where they meet a diffuse surface, a luminaire sample and one cached
+/// vertex light it. Rays go on through panes and mirrors. Emission of luminaires seen in
+/// mirrors counts unless `images` does it.
 ///
 /// @param first   number of the first gather sample of this replicate (grows from unit to unit)
 /// @param rays    counts the rays traced

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "isolux/base/parallel.h"
 #include "isolux/sampling/warp.h"
 #include "isolux/transport/surface_event.h"
 
@@ -19,13 +18,6 @@ constexpr double least_survival = 0.05;
 
 /// ... nor more: a path between perfect mirrors ends as well.
 constexpr double most_survival = 0.999;
-
-/// Paths one task walks.
-constexpr std::size_t paths_per_task = 64;
-
-std::size_t padded(std::size_t n) noexcept {
-    return (n + packet_size - 1) / packet_size * packet_size;
-}
 
 /// Density of the first vertex, METHODS eq. (11) for k = 2: that of emitting towards it, over
 /// that of finding the same emission point from it; times the cosine over d2 it is an area
@@ -152,66 +144,6 @@ FluxTally walk_light_path(const Scene& scene,
             passed *= event.straight;
         }
     }
-}
-
-VertexCache build_vertex_cache(const Scene& scene,
-                               const Emission& emission,
-                               const PathRandomness& random,
-                               std::uint64_t first,
-                               std::size_t count,
-                               const EffectiveCounts& counts) {
-    VertexCache cache;
-    cache.paths = count;
-    cache.centre = midpoint(scene.bounds.lower, scene.bounds.upper);
-    if (emission.total_flux() <= 0.0 || count == 0)
-        return cache;
-
-    // Generate: every task into its own slot, then joined in path order.
-    const std::size_t tasks = (count + paths_per_task - 1) / paths_per_task;
-    std::vector<std::vector<PathVertex>> slots(tasks);
-    std::vector<FluxTally> tallies(tasks);
-    for_each_index(tasks, 1, [&](std::size_t t) {
-        slots[t].reserve(4 * paths_per_task);
-        const std::size_t end = std::min(count, (t + 1) * paths_per_task);
-        for (std::size_t i = t * paths_per_task; i < end; ++i) {
-            const FluxTally f = walk_light_path(scene, emission, random, first + i, slots[t]);
-            tallies[t].absorbed += f.absorbed;
-            tallies[t].escaped += f.escaped;
-            tallies[t].rays += f.rays;
-        }
-    });
-    for (std::size_t t = 0; t < tasks; ++t) {
-        cache.vertices.insert(cache.vertices.end(), slots[t].begin(), slots[t].end());
-        cache.flux.absorbed += tallies[t].absorbed;
-        cache.flux.escaped += tallies[t].escaped;
-        cache.flux.rays += tallies[t].rays;
-    }
-
-    const std::size_t n = cache.vertices.size();
-    for (std::vector<float>* a : {&cache.x,
-                                  &cache.y,
-                                  &cache.z,
-                                  &cache.nx,
-                                  &cache.ny,
-                                  &cache.nz,
-                                  &cache.strength,
-                                  &cache.density})
-        a->assign(padded(n), 0.0F);
-    for (std::size_t i = 0; i < n; ++i) {
-        const PathVertex& v = cache.vertices[i];
-        const Vector3 p = v.position - cache.centre;
-        const double scale = v.is_first ? counts.paths / counts.gather_first
-                                        : counts.vertices / counts.gather_later;
-        cache.x[i] = static_cast<float>(p.x);
-        cache.y[i] = static_cast<float>(p.y);
-        cache.z[i] = static_cast<float>(p.z);
-        cache.nx[i] = static_cast<float>(v.normal.x());
-        cache.ny[i] = static_cast<float>(v.normal.y());
-        cache.nz[i] = static_cast<float>(v.normal.z());
-        cache.strength[i] = static_cast<float>(luminance_sum(v.radiant));
-        cache.density[i] = static_cast<float>(std::min(1e30, v.density * scale));
-    }
-    return cache;
 }
 
 } // namespace isolux

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "isolux/transport/emission.h"
@@ -40,40 +39,5 @@ FluxTally walk_light_path(const Scene& scene,
                           const PathRandomness& random,
                           std::uint64_t path,
                           std::vector<PathVertex>& vertices);
-
-/// The vertices of `paths` consecutive light paths of one replicate, in path order, in double
-/// for connections and as packed floats, relative to `centre`, for the vectorised kernel.
-struct VertexCache {
-    std::size_t paths = 0;
-    std::vector<PathVertex> vertices;
-    Point3 centre;
-    // structure of arrays, padded with zeros to a multiple of 16
-    std::vector<float> x, y, z;
-    std::vector<float> nx, ny, nz;
-    std::vector<float> strength; ///< luminance_sum(radiant)
-    std::vector<float> density;  ///< METHODS eq. (7) times n1/n2 of eq. (11)
-    FluxTally flux;
-
-    [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }
-
-    [[nodiscard]] bool empty() const noexcept { return vertices.empty(); }
-};
-
-/// Effective counts of METHODS eq. (11), the same constants in both weights.
-struct EffectiveCounts {
-    double paths = 1.0; ///< n1 for paths with one reflection (k = 2)
-    double vertices =
-        1.0; ///< n1 for longer paths (k >= 3): M times the pilot's mean chain length
-    double gather_first = 1.0; ///< n2 for k = 2
-    double gather_later = 1.0; ///< n2 for k >= 3
-};
-
-/// Walks paths [first, first + count) in parallel, each into its own slot.
-[[nodiscard]] VertexCache build_vertex_cache(const Scene& scene,
-                                             const Emission& emission,
-                                             const PathRandomness& random,
-                                             std::uint64_t first,
-                                             std::size_t count,
-                                             const EffectiveCounts& counts);
 
 } // namespace isolux

@@ -1,48 +1,61 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
-#include "isolux/base/receiver.h"
-#include "isolux/transport/light_path.h"
+#include "isolux/transport/vertex_cache.h"
 
 namespace isolux {
-
-/// How the local estimate shares paths with the gather rays.
-enum class Weighting {
-    alone,    ///< plain local estimation: every vertex counts in full, METHODS eq. (6)
-    balanced, ///< balance heuristic against gather rays, METHODS eq. (10)
-};
 
 /// The place rays to and from a receiver start at: a plane's point is moved off whatever it
 /// lies on.
 [[nodiscard]] Point3 clear_point(const Scene& scene, const Receiver& receiver) noexcept;
 
-/// Unshadowed local estimate of every vertex at the receiver, lm/m2 before division by the
-/// number of paths, times its weight: METHODS "Shared cache", step 1. No rays.
-/// @param u  at least cache.x.size() values; the padding becomes 0
-void evaluate_unshadowed(const VertexCache& cache,
-                         const Receiver& receiver,
-                         const Point3& at,
-                         Weighting weighting,
-                         std::span<float> u) noexcept;
+/// A receiver as the kernel sees it from a cache. @param at  where its rays start
+[[nodiscard]] KernelReceiver make_kernel_receiver(const VertexCache& cache,
+                                                  const Receiver& receiver,
+                                                  const Point3& at) noexcept;
 
-/// Local estimate of illuminance from a shared cache, METHODS eq. (5), (6), (10): all vertices
-/// are weighed, `draws` of them, in proportion, are looked at through the scene.
+/// A receiver that takes a local estimate.
+struct LocalPoint {
+    const Receiver* receiver = nullptr;
+    Point3 at;           ///< clear_point of it
+    double offset = 0.0; ///< in [0, 1): the one random offset of the systematic draw
+};
+
+/// What came of one draw: the vertex and the light it adds to one point, lx.
+struct LocalDraw {
+    std::uint32_t point = 0;
+    std::uint32_t vertex = 0; ///< number in VertexCache::vertices
+    Rgb light;
+};
+
+/// Working memory of one thread, reused between calls.
+struct LocalScratch {
+    std::vector<float> u;
+    std::vector<float> column_sums;
+    std::vector<double> block_sums;
+    std::vector<KernelReceiver> receivers;
+    std::vector<LocalDraw> draws;
+    std::vector<SightSegment> segments;
+};
+
+/// Local estimate of illuminance from a shared cache, METHODS eq. (5), (6), (10), for
+/// neighbouring points at once: all vertices are weighed, `draws` of them a point, in
+/// proportion, are looked at through the scene. Adds to `result`, lx per channel; direct light
+/// is not included.
 ///
-/// @param draws    shadow rays, at most packet_size
-/// @param offset   number in [0, 1): the one random offset of the systematic draw
-/// @param scratch  working memory, reused between calls
-/// @return         lx per channel; direct light is not included
-/// @pre            the vertices lie on surfaces of `scene`
+/// @return  the draws that brought light; they live in `scratch`
+/// @pre     draws >= 1; the vertices lie on surfaces of `scene`; as many results as points
 /// With Weighting::alone the variance grows without bound as a vertex nears the receiver; see
 /// METHODS. Source: Budak, Zheltov, Kalakutsky 2012, doi:10.20537/2076-7633-2012-4-1-75-84.
-[[nodiscard]] Rgb gather_local_estimate(const Scene& scene,
-                                        const VertexCache& cache,
-                                        const Receiver& receiver,
-                                        Weighting weighting,
-                                        std::size_t draws,
-                                        double offset,
-                                        std::vector<float>& scratch);
+std::span<const LocalDraw> gather_local_estimates(const Scene& scene,
+                                                  const VertexCache& cache,
+                                                  std::span<const LocalPoint> points,
+                                                  Weighting weighting,
+                                                  std::size_t draws,
+                                                  LocalScratch& scratch,
+                                                  std::span<Rgb> result);
 
 } // namespace isolux

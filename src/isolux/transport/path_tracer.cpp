@@ -8,7 +8,7 @@
 #include "isolux/sampling/warp.h"
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/next_event.h"
-#include "isolux/transport/response.h"
+#include "isolux/transport/walk_front.h"
 
 namespace isolux {
 
@@ -130,30 +130,13 @@ Rgb trace_indirect(const Scene& scene,
                    std::uint32_t first,
                    const PointRandomness& random,
                    std::uint64_t& rays) {
-    if (emission.total_flux() <= 0.0)
-        return {};
-    const Point3 at = clear_point(scene, receiver);
+    const RayPoint point{&receiver, clear_point(scene, receiver), random};
     Rgb sum;
-    for (std::uint32_t s = first; s < first + samples; ++s) {
-        NumberSequence numbers(random, s);
-        const double u = numbers.next();
-        const UnitVector3 w = sample_response(receiver, u, numbers.next());
-        const double pdf = pdf_response(receiver, w);
-        if (!(pdf > 0.0))
-            continue;
-        Step step;
-        const Rgb seen = follow(
-            scene,
-            emission,
-            images,
-            {at, w, 1.0, 0.0, 0},
-            numbers,
-            rays,
-            [&](const Meeting& y) { step.collect(scene, emission, images, y, numbers, rays); });
-        const Rgb luminance = seen + walk_on(scene, emission, images, step, numbers, rays);
-        sum += (evaluate_response(receiver, w) / pdf) * luminance;
-    }
-    return (1.0 / static_cast<double>(samples)) * sum;
+    WalkFront front;
+    front.start(scene, emission, images, {&point, 1});
+    front.add_tracing(samples, first);
+    rays += front.run({{&sum, 1}, {}, {}});
+    return sum;
 }
 
 } // namespace isolux

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "isolux/sampling/random_stream.h"
@@ -13,41 +14,68 @@ namespace isolux {
 /// numbers").
 class PointRandomness {
 public:
+    PointRandomness() = default;
+
     PointRandomness(std::uint64_t seed,
                     StreamPurpose purpose,
                     std::uint32_t replicate,
                     std::uint64_t receiver)
-        : tail_(seed, purpose, replicate), receiver_(receiver) {}
+        : tail_(seed, purpose, replicate), receiver_(receiver) {
+        const auto low = tail_.words(receiver, first_scramble / 4);
+        const auto high = tail_.words(receiver, first_scramble / 4 + 1);
+        scramble_ = {low[0], low[1], low[2], low[3], high[0], high[1]};
+    }
 
     /// Draw `dimension` of sample `index`; nets of the receiver's own for the first dimensions.
     [[nodiscard]] double operator()(std::uint32_t index,
                                     std::uint32_t dimension) const noexcept {
         if (dimension < nets)
-            return sobol_owen(index, dimension, tail_.bits(receiver_, scrambles + dimension));
+            return sobol_owen(index, dimension, scramble_[dimension]);
         return tail_.uniform(receiver_, (index << 11U) + dimension);
+    }
+
+    /// Dimensions of the nets; a sample's later draws come four at a time.
+    static constexpr std::uint32_t nets = 6;
+
+    /// Draws 4 block, ..., 4 block + 3 of a sample. @pre 4 block >= nets
+    [[nodiscard]] std::array<double, 4> four(std::uint32_t index,
+                                             std::uint32_t block) const noexcept {
+        return tail_.uniform4(receiver_, (index << 9U) + block);
     }
 
 private:
     // A sample may use 2^11 numbers before it meets those of the next one.
-    static constexpr std::uint32_t nets = 6;
-    static constexpr std::uint32_t scrambles = 0xffffff00U;
+    static constexpr std::uint32_t first_scramble = 0xffffff00U;
 
-    RandomStream tail_;
-    std::uint64_t receiver_;
+    RandomStream tail_{0, StreamPurpose::gather, 0};
+    std::uint64_t receiver_ = 0;
+    std::array<std::uint32_t, nets> scramble_{};
 };
 
 /// The numbers of one sample, one after the other.
 class NumberSequence {
 public:
+    NumberSequence() = default;
+
     NumberSequence(const PointRandomness& random, std::uint32_t sample) noexcept
         : random_(&random), sample_(sample) {}
 
-    [[nodiscard]] double next() noexcept { return (*random_)(sample_, dimension_++); }
+    [[nodiscard]] double next() noexcept {
+        const std::uint32_t d = dimension_++;
+        if (d < first_block)
+            return (*random_)(sample_, d);
+        if (d % 4 == 0)
+            four_ = random_->four(sample_, d / 4);
+        return four_[d % 4];
+    }
 
 private:
-    const PointRandomness* random_;
-    std::uint32_t sample_;
+    static constexpr std::uint32_t first_block = (PointRandomness::nets + 3) / 4 * 4;
+
+    const PointRandomness* random_ = nullptr;
+    std::uint32_t sample_ = 0;
     std::uint32_t dimension_ = 0;
+    std::array<double, 4> four_{};
 };
 
 } // namespace isolux

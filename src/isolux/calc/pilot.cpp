@@ -1,0 +1,246 @@
+#include "isolux/calc/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "isolux/base/parallel.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/walk_front.h"
+
+namespace isolux {
+
+namespace {
+
+// What the pilot draws at every point in every replicate: everything twice, so that the
+// variance inside a replicate is seen apart from that of the light paths.
+constexpr std::size_t paths = 512;
+constexpr std::size_t draws = 8;      ///< twice
+constexpr std::size_t directions = 1; ///< twice
+constexpr std::size_t samples = 2;    ///< of path tracing
+constexpr std::size_t tile = 16;
+
+/// Replicates that the run itself does not use.
+constexpr std::uint32_t first_replicate = 0xffff00U;
+
+using Pair = std::array<double, 2>;
+
+/// What one point saw in one replicate, lx.
+struct Look {
+    Pair local{};
+    Pair gathered{};
+    double traced = 0.0;
+    double direct = 0.0;
+};
+
+/// Which points are looked at, evenly spread over the task.
+std::vector<std::size_t> choose_points(std::size_t count) {
+    const std::size_t chosen = std::min(count, pilot_points);
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < chosen; ++i)
+        points.push_back((2 * i + 1) * count / (2 * chosen));
+    return points;
+}
+
+class Looker {
+public:
+    Looker(const PilotScene& task, std::span<const std::size_t> points)
+        : task_(task), points_(points) {}
+
+    /// All looks at points [first, last) in one replicate.
+    void look(const VertexCache& cache,
+              const EffectiveCounts& counts,
+              std::uint32_t replicate,
+              std::size_t first,
+              std::size_t last,
+              std::span<Look> looks) const {
+        const RandomStream subset(task_.seed, StreamPurpose::pilot, replicate);
+        std::vector<LocalPoint> locals;
+        std::vector<RayPoint> senders;
+        for (std::size_t p = first; p < last; ++p) {
+            const std::size_t i = points_[p];
+            locals.push_back({&task_.receivers[i], task_.clear[i], 0.0});
+            senders.push_back({&task_.receivers[i],
+                               task_.clear[i],
+                               {task_.seed, StreamPurpose::pilot, replicate, i}});
+        }
+        LocalScratch scratch;
+        WalkFront front;
+        std::vector<Rgb> sums(last - first);
+        for (std::uint32_t half = 0; half < 2; ++half) {
+            for (std::size_t k = 0; k < locals.size(); ++k)
+                locals[k].offset = subset.uniform(points_[first + k], (1U << 20U) + half);
+            std::fill(sums.begin(), sums.end(), Rgb{});
+            gather_local_estimates(
+                *task_.scene, cache, locals, Weighting::balanced, draws, scratch, sums);
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                looks[first + k].local[half] = luminance_sum(sums[k]);
+            std::fill(sums.begin(), sums.end(), Rgb{});
+            front.start(*task_.scene, *task_.emission, *task_.images, senders);
+            front.share_with(cache, counts, true);
+            front.add_gathering(directions, half);
+            front.run({sums, {}, {}});
+            for (std::size_t k = 0; k < sums.size(); ++k)
+                looks[first + k].gathered[half] = luminance_sum(sums[k]);
+        }
+        std::fill(sums.begin(), sums.end(), Rgb{});
+        front.start(*task_.scene, *task_.emission, *task_.images, senders);
+        front.add_tracing(samples, 2);
+        front.run({sums, {}, {}});
+        for (std::size_t k = 0; k < sums.size(); ++k)
+            looks[first + k].traced = luminance_sum(sums[k]);
+    }
+
+private:
+    const PilotScene& task_;
+    std::span<const std::size_t> points_;
+};
+
+/// Half the mean squared difference of a pair: the variance of one of them.
+double half_square(const Pair& p) noexcept { return 0.5 * (p[0] - p[1]) * (p[0] - p[1]); }
+
+double variance_of(std::span<const double> values) noexcept {
+    double mean = 0.0;
+    for (const double v : values)
+        mean += v / static_cast<double>(values.size());
+    double sum = 0.0;
+    for (const double v : values)
+        sum += (v - mean) * (v - mean);
+    return sum / static_cast<double>(values.size() - 1);
+}
+
+/// The five coefficients of one point, lx2.
+struct PointVariance {
+    VarianceModel model;
+    double value = 0.0;
+};
+
+PointVariance judge(std::span<const Look> looks) {
+    std::array<double, pilot_replicates> indirect{}, traced{}, direct{};
+    double inside_local = 0.0, inside_gathered = 0.0, value = 0.0;
+    constexpr double n = pilot_replicates;
+    for (std::size_t r = 0; r < pilot_replicates; ++r) {
+        const Look& l = looks[r];
+        indirect[r] = 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
+        traced[r] = l.traced;
+        direct[r] = l.direct;
+        inside_local += half_square(l.local) / n;
+        inside_gathered += half_square(l.gathered) / n;
+        value += (direct[r] + indirect[r]) / n;
+    }
+    PointVariance v;
+    v.value = value;
+    v.model.draws = static_cast<double>(draws) * inside_local;
+    v.model.directions = static_cast<double>(directions) * inside_gathered;
+    const double rest = variance_of(indirect) - 0.5 * inside_local - 0.5 * inside_gathered;
+    v.model.paths = static_cast<double>(paths) * rest; // may be negative; the mean is not
+    v.model.samples = static_cast<double>(samples) * variance_of(traced);
+    v.model.direct = variance_of(direct);
+    return v;
+}
+
+void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
+    sum.paths += factor * m.paths;
+    sum.draws += factor * m.draws;
+    sum.directions += factor * m.directions;
+    sum.samples += factor * m.samples;
+    sum.direct += factor * m.direct;
+}
+
+/// In shares of the variance the tolerance allows, then mean over the points of a class.
+Pilot summarise(std::span<const PointVariance> points,
+                std::span<const PointClass> classes,
+                const PilotTarget& target) {
+    double mean = 0.0;
+    for (const PointVariance& p : points)
+        mean += p.value / static_cast<double>(points.size());
+    const double floor =
+        std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
+    Pilot pilot;
+    std::size_t at_edges = 0;
+    for (const PointClass c : classes)
+        if (c == PointClass::edge)
+            ++at_edges;
+        else
+            ++pilot.points[static_cast<std::size_t>(c)];
+    const double away = static_cast<double>(points.size() - at_edges);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double half = target.tolerance * std::max(points[i].value, floor);
+        const double allowed = target.replicates * std::pow(half / target.factor, 2);
+        if (!(allowed > 0.0))
+            continue;
+        if (classes[i] == PointClass::edge) {
+            const double share = 1.0 / (allowed * static_cast<double>(at_edges));
+            pilot.samples_at_edges += share * points[i].model.samples;
+            pilot.direct_at_edges += share * points[i].model.direct;
+            continue;
+        }
+        const auto c = static_cast<std::size_t>(classes[i]);
+        add(pilot.of_class[c],
+            points[i].model,
+            1.0 / (allowed * static_cast<double>(pilot.points[c])));
+        add(pilot.all, points[i].model, 1.0 / (allowed * away));
+    }
+    for (VarianceModel* m : {&pilot.of_class[0], &pilot.of_class[1], &pilot.all})
+        m->paths = std::max(m->paths, 0.0);
+    return pilot;
+}
+
+} // namespace
+
+Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
+    const std::vector<std::size_t> points = choose_points(task.receivers.size());
+    std::vector<Look> looks(points.size() * pilot_replicates); // [replicate][point]
+    double vertices = 1.0;
+    for_each_index(points.size(), 4, [&](std::size_t p) {
+        std::array<double, pilot_replicates> values{};
+        task.direct(points[p], first_replicate, values);
+        for (std::size_t r = 0; r < pilot_replicates; ++r)
+            looks[r * points.size() + p].direct = values[r];
+    });
+    if (task.reflected && task.emission->total_flux() > 0.0) {
+        // The counts of METHODS eq. (11) need the mean number of vertices: first replicate.
+        std::vector<VertexCache> caches(pilot_replicates);
+        const auto build = [&](std::uint32_t r, const EffectiveCounts& counts) {
+            return build_vertex_cache(*task.scene,
+                                      *task.emission,
+                                      PathRandomness(task.seed, first_replicate + r),
+                                      0,
+                                      paths,
+                                      counts);
+        };
+        const VertexCache first = build(pilot_replicates, EffectiveCounts{});
+        vertices =
+            std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
+        constexpr double m = paths, n2 = 2.0 * directions;
+        const EffectiveCounts counts{m, m * vertices, n2, n2};
+        for_each_index(pilot_replicates, 1, [&](std::size_t r) {
+            caches[r] = build(static_cast<std::uint32_t>(r), counts);
+        });
+        const Looker looker(task, points);
+        const std::size_t tiles = (points.size() + tile - 1) / tile;
+        for_each_index(tiles * pilot_replicates, 1, [&](std::size_t k) {
+            const std::size_t r = k / tiles;
+            const std::size_t begin = k % tiles * tile;
+            looker.look(caches[r],
+                        counts,
+                        first_replicate + static_cast<std::uint32_t>(r),
+                        begin,
+                        std::min(points.size(), begin + tile),
+                        std::span(looks).subspan(r * points.size(), points.size()));
+        });
+    }
+    std::vector<PointVariance> variances;
+    std::vector<PointClass> classes;
+    std::array<Look, pilot_replicates> own;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        for (std::size_t r = 0; r < pilot_replicates; ++r)
+            own[r] = looks[r * points.size() + p];
+        variances.push_back(judge(own));
+        classes.push_back(task.classes[points[p]]);
+    }
+    Pilot pilot = summarise(variances, classes, target);
+    pilot.vertices_per_path = vertices;
+    return pilot;
+}
+
+} // namespace isolux

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "isolux/calc/effort.h"
+#include "isolux/calc/project.h"
+#include "isolux/transport/mirror_images.h"
+
+namespace isolux {
+
+/// Points of a kind: what is efficient for one of them is so for the others.
+enum class PointClass : std::uint8_t {
+    open, ///< no second surface within half a metre
+    near, ///< one nearer than that, but not so near that the edge rule decides
+    edge  ///< nearer than any number of paths that is considered would allow
+};
+
+inline constexpr std::size_t point_classes = 2; ///< that the pilot judges: open, near
+
+/// What the pilot may look at; everything outlives it.
+struct PilotScene {
+    const Scene* scene = nullptr;
+    const Emission* emission = nullptr;
+    const MirrorImages* images = nullptr;
+    std::span<const Receiver> receivers;
+    std::span<const Point3> clear; ///< where their rays start
+    std::span<const PointClass> classes;
+    std::uint64_t seed = 1;
+    bool reflected = true; ///< false: direct light alone
+    /// Direct light of a receiver for pilot_replicates replicates from `first` on, lx.
+    std::function<void(std::size_t receiver, std::uint32_t first, std::span<double>)> direct;
+};
+
+/// What a result has to reach.
+struct PilotTarget {
+    double tolerance = 0.01;          ///< half width / value
+    double factor = 2.0;              ///< half width / standard error at the first look
+    double absolute_tolerance = 1e-4; ///< lx
+    double darkest_share = 0.02;      ///< of the mean; darker points are held to that
+    double replicates = 16.0;
+};
+
+inline constexpr std::size_t pilot_replicates = 4;
+inline constexpr std::size_t pilot_points = 64;
+
+/// What a few samples of up to 64 points say about the variance, METHODS eq. (61). They come
+/// from replicates of their own and are thrown away: what follows from them steers the work and
+/// biases nothing.
+struct Pilot {
+    double vertices_per_path = 1.0;
+    std::array<VarianceModel, point_classes> of_class;
+    std::array<std::size_t, point_classes> points{}; ///< looked at
+    VarianceModel all;                               ///< mean over the points of both classes
+    double samples_at_edges = 0.0; ///< VarianceModel::samples where the edge rule decides
+    double direct_at_edges = 0.0;
+};
+
+[[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);
+
+} // namespace isolux

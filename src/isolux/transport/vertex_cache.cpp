@@ -1,0 +1,177 @@
+#include "isolux/transport/vertex_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "isolux/base/parallel.h"
+
+namespace isolux {
+
+namespace {
+
+/// Paths one task walks.
+constexpr std::size_t paths_per_task = 64;
+
+/// Which way a normal mainly points: 0..5.
+std::uint32_t facing(const UnitVector3& n) noexcept {
+    const double x = std::abs(n.x()), y = std::abs(n.y()), z = std::abs(n.z());
+    if (z >= x && z >= y)
+        return n.z() < 0.0 ? 0U : 1U;
+    if (x >= y)
+        return n.x() < 0.0 ? 2U : 3U;
+    return n.y() < 0.0 ? 4U : 5U;
+}
+
+/// The bits of a number below 8, three places apart.
+constexpr std::uint32_t spread(std::uint32_t x) noexcept {
+    return (x & 1U) | (x & 2U) << 2U | (x & 4U) << 4U;
+}
+
+/// Sorting keys: the way a vertex faces, then its cell of 8 x 8 x 8 over the scene along a
+/// curve that keeps neighbours together.
+class CellOrder {
+public:
+    static constexpr std::size_t keys = 6U << 9U;
+
+    explicit CellOrder(const Bounds& bounds) : lower_(bounds.lower) {
+        const Vector3 size = bounds.upper - bounds.lower;
+        const auto scale = [](double s) { return s > 0.0 ? 8.0 / s : 0.0; };
+        scale_ = {scale(size.x), scale(size.y), scale(size.z)};
+    }
+
+    [[nodiscard]] std::uint32_t key(const PathVertex& v) const noexcept {
+        const Vector3 p = v.position - lower_;
+        const auto cell = [](double s) {
+            return static_cast<std::uint32_t>(std::clamp(s, 0.0, 7.0));
+        };
+        return facing(v.normal) << 9U | spread(cell(p.x * scale_.x)) << 2U
+               | spread(cell(p.y * scale_.y)) << 1U | spread(cell(p.z * scale_.z));
+    }
+
+private:
+    Point3 lower_;
+    Vector3 scale_;
+};
+
+/// Numbers of the vertices by cell, by counting; those of one cell stay in path order.
+std::vector<std::uint32_t> sort_by_cell(const std::vector<PathVertex>& vertices,
+                                        const Bounds& bounds) {
+    const CellOrder order(bounds);
+    std::vector<std::uint32_t> keys(vertices.size());
+    std::vector<std::uint32_t> starts(CellOrder::keys + 1, 0);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        keys[i] = order.key(vertices[i]);
+        ++starts[keys[i] + 1];
+    }
+    for (std::size_t k = 0; k < CellOrder::keys; ++k)
+        starts[k + 1] += starts[k];
+    std::vector<std::uint32_t> sorted(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        sorted[starts[keys[i]]++] = static_cast<std::uint32_t>(i);
+    return sorted;
+}
+
+/// METHODS eq. (60): what the gather rays do beside the chain, m2.
+float rival_of(const PathVertex& v, const EffectiveCounts& counts) noexcept {
+    constexpr double most = 1e30;
+    const double ratio =
+        v.is_first ? counts.gather_first / counts.paths : counts.gather_later / counts.vertices;
+    const double rival = ratio / (std::numbers::pi * v.density);
+    return static_cast<float>(rival < most ? rival : most);
+}
+
+void put(VertexBlock& block,
+         std::size_t place,
+         const PathVertex& v,
+         const Point3& centre,
+         const EffectiveCounts& counts) noexcept {
+    const Vector3 p = v.position - centre;
+    block.x[place] = static_cast<float>(p.x);
+    block.y[place] = static_cast<float>(p.y);
+    block.z[place] = static_cast<float>(p.z);
+    block.nx[place] = static_cast<float>(v.normal.x());
+    block.ny[place] = static_cast<float>(v.normal.y());
+    block.nz[place] = static_cast<float>(v.normal.z());
+    block.strength[place] = static_cast<float>(luminance_sum(v.radiant));
+    block.rival[place] = rival_of(v, counts);
+}
+
+/// The box and the common normal, from which the kernel sees whether a block is dark.
+void find_bounds(VertexBlock& block, std::span<const std::size_t> places) noexcept {
+    const std::size_t first = places.front();
+    block.lower = block.upper = {block.x[first], block.y[first], block.z[first]};
+    block.common_normal = {block.nx[first], block.ny[first], block.nz[first]};
+    for (const std::size_t i : places) {
+        const std::array<float, 3> p{block.x[i], block.y[i], block.z[i]};
+        for (std::size_t k = 0; k < 3; ++k) {
+            block.lower[k] = std::min(block.lower[k], p[k]);
+            block.upper[k] = std::max(block.upper[k], p[k]);
+        }
+        if (std::array<float, 3>{block.nx[i], block.ny[i], block.nz[i]} != block.common_normal)
+            block.common_normal = {};
+    }
+}
+
+/// Fills the blocks, each column by column, so that the running sum follows the sorted order.
+void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& counts) {
+    const std::vector<std::uint32_t> sorted = sort_by_cell(cache.vertices, bounds);
+    const std::size_t n = sorted.size();
+    cache.blocks.resize((n + VertexBlock::size - 1) / VertexBlock::size);
+    cache.vertex_at.assign(cache.blocks.size() * VertexBlock::size, 0);
+    std::array<std::size_t, VertexBlock::size> places{};
+    for (std::size_t b = 0; b < cache.blocks.size(); ++b) {
+        VertexBlock& block = cache.blocks[b];
+        const std::size_t first = b * VertexBlock::size;
+        const std::size_t count = std::min(VertexBlock::size, n - first);
+        const std::size_t rows = (count + VertexBlock::columns - 1) / VertexBlock::columns;
+        block.rows = static_cast<std::uint32_t>(rows);
+        for (std::size_t i = 0; i < count; ++i) {
+            places[i] = VertexBlock::columns * (i % rows) + i / rows;
+            cache.vertex_at[first + places[i]] = sorted[first + i];
+            put(block, places[i], cache.vertices[sorted[first + i]], cache.centre, counts);
+        }
+        find_bounds(block, std::span(places).first(count));
+    }
+}
+
+} // namespace
+
+VertexCache build_vertex_cache(const Scene& scene,
+                               const Emission& emission,
+                               const PathRandomness& random,
+                               std::uint64_t first,
+                               std::size_t count,
+                               const EffectiveCounts& counts) {
+    VertexCache cache;
+    cache.paths = count;
+    cache.centre = midpoint(scene.bounds.lower, scene.bounds.upper);
+    if (emission.total_flux() <= 0.0 || count == 0)
+        return cache;
+
+    // Generate: every task into its own slot, then joined in path order.
+    const std::size_t tasks = (count + paths_per_task - 1) / paths_per_task;
+    std::vector<std::vector<PathVertex>> slots(tasks);
+    std::vector<FluxTally> tallies(tasks);
+    for_each_index(tasks, 1, [&](std::size_t t) {
+        slots[t].reserve(4 * paths_per_task);
+        const std::size_t end = std::min(count, (t + 1) * paths_per_task);
+        for (std::size_t i = t * paths_per_task; i < end; ++i) {
+            const FluxTally f = walk_light_path(scene, emission, random, first + i, slots[t]);
+            tallies[t].absorbed += f.absorbed;
+            tallies[t].escaped += f.escaped;
+            tallies[t].rays += f.rays;
+        }
+    });
+    for (std::size_t t = 0; t < tasks; ++t) {
+        cache.vertices.insert(cache.vertices.end(), slots[t].begin(), slots[t].end());
+        cache.flux.absorbed += tallies[t].absorbed;
+        cache.flux.escaped += tallies[t].escaped;
+        cache.flux.rays += tallies[t].rays;
+    }
+    pack(cache, scene.bounds, counts);
+    return cache;
+}
+
+} // namespace isolux

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "isolux/transport/light_path.h"
+#include "isolux/transport/vertex_kernel.h"
+
+namespace isolux {
+
+/// Effective counts of METHODS eq. (11), the same constants in both weights.
+struct EffectiveCounts {
+    double paths = 1.0; ///< n1 for paths with one reflection (k = 2)
+    double vertices =
+        1.0; ///< n1 for longer paths (k >= 3): M times the pilot's mean chain length
+    double gather_first = 1.0; ///< n2 for k = 2
+    double gather_later = 1.0; ///< n2 for k >= 3
+};
+
+/// The vertices of `paths` consecutive light paths of one replicate: in path order and double
+/// precision for connections, and packed as floats for the vectorised kernel, there sorted by
+/// where they lie and face, so that neighbours in the running sum are neighbours in the room.
+/// Holds 176 bytes a vertex.
+struct VertexCache {
+    std::size_t paths = 0;
+    std::vector<PathVertex> vertices;
+    Point3 centre;
+    std::vector<VertexBlock> blocks;
+    /// Which vertex stands at a place of the blocks, counted [block][row][column].
+    std::vector<std::uint32_t> vertex_at;
+    FluxTally flux;
+
+    [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }
+
+    [[nodiscard]] bool empty() const noexcept { return vertices.empty(); }
+};
+
+/// Walks paths [first, first + count) in parallel, each into its own slot.
+[[nodiscard]] VertexCache build_vertex_cache(const Scene& scene,
+                                             const Emission& emission,
+                                             const PathRandomness& random,
+                                             std::uint64_t first,
+                                             std::size_t count,
+                                             const EffectiveCounts& counts);
+
+} // namespace isolux

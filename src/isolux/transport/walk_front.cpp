@@ -1,0 +1,256 @@
+#include "isolux/transport/walk_front.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "isolux/sampling/warp.h"
+#include "isolux/transport/next_event.h"
+#include "isolux/transport/response.h"
+
+namespace isolux {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// So many connections are settled at a time, to keep memory small.
+constexpr std::size_t most_waiting = 4096;
+
+} // namespace
+
+void WalkFront::start(const Scene& scene,
+                      const Emission& emission,
+                      const MirrorImages& images,
+                      std::span<const RayPoint> points) {
+    scene_ = &scene;
+    emission_ = &emission;
+    images_ = &images;
+    points_ = points;
+    cache_ = nullptr;
+    connects_ = false;
+    walks_.clear();
+    current_.clear();
+    following_.clear();
+    collecting_.clear();
+    connections_.clear();
+}
+
+void WalkFront::share_with(const VertexCache& cache,
+                           const EffectiveCounts& counts,
+                           bool connects) {
+    cache_ = &cache;
+    counts_ = counts;
+    connects_ = connects;
+}
+
+void WalkFront::add_gathering(std::size_t samples, std::uint32_t first) {
+    add(samples, first, true);
+}
+
+void WalkFront::add_tracing(std::size_t samples, std::uint32_t first) {
+    add(samples, first, false);
+}
+
+/// Sample by sample over all points: neighbours' rays stand together.
+void WalkFront::add(std::size_t samples, std::uint32_t first, bool gathers) {
+    if (emission_->total_flux() <= 0.0)
+        return;
+    for (std::uint32_t s = first; s < first + samples; ++s)
+        for (std::uint32_t p = 0; p < points_.size(); ++p) {
+            Walk walk;
+            walk.numbers = NumberSequence(points_[p].random, s);
+            const double u = walk.numbers.next();
+            const UnitVector3 w = sample_response(*points_[p].receiver, u, walk.numbers.next());
+            walk.pdf = pdf_response(*points_[p].receiver, w);
+            if (!(walk.pdf > 0.0))
+                continue;
+            walk.point = p;
+            walk.gathers = gathers;
+            walk.throughput = Rgb::grey(evaluate_response(*points_[p].receiver, w)
+                                        / (walk.pdf * static_cast<double>(samples)));
+            current_.push_back(
+                {{points_[p].at, w, 1.0, 0.0, 0}, static_cast<std::uint32_t>(walks_.size())});
+            walks_.push_back(walk);
+        }
+}
+
+std::uint64_t WalkFront::run(const LightLedger& ledger) {
+    ledger_ = &ledger;
+    rays_ = 0;
+    while (!current_.empty()) {
+        // One flight through panes and mirrors to the diffuse surfaces behind them.
+        while (!current_.empty()) {
+            following_.clear();
+            trace(current_, ledger);
+            std::swap(current_, following_);
+            if (connections_.size() >= most_waiting)
+                rays_ += connections_.settle(*scene_, ledger);
+        }
+        for (const std::uint32_t walk : collecting_)
+            send_on(walk);
+        collecting_.clear();
+    }
+    rays_ += connections_.settle(*scene_, ledger);
+    ledger_ = nullptr;
+    return rays_;
+}
+
+void WalkFront::trace(std::span<const Ray> rays, const LightLedger& ledger) {
+    rays_ += rays.size();
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Branch& branch = rays[i].branch;
+        const auto hit = scene_->caster.find_first_hit(branch.origin, branch.w);
+        if (branch.reflections > 0 && !images_->covers(branch.reflections)) {
+            const Walk& walk = walks_[rays[i].walk];
+            visit_seen_openings(*emission_,
+                                branch,
+                                hit ? hit->distance + 1e-4 : 1e30,
+                                [&](std::size_t luminaire, const Rgb& l) {
+                                    ledger.add(walk.point,
+                                               luminaire,
+                                               branch.throughput * (walk.throughput * l));
+                                });
+        }
+        if (hit)
+            arrive(rays[i], *hit);
+    }
+}
+
+void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
+    Walk& walk = walks_[ray.walk];
+    const SurfaceEvent event = surface_event(*scene_, ray.branch, hit);
+    if (const auto y = meet_surface(*scene_, ray.branch, hit, event)) {
+        if (!walk.gathers || y->reflections > 0) {
+            if (walk.passed_on == 0.0)
+                collecting_.push_back(ray.walk);
+            collect_at(walk, *y);
+        } else if (connects_) {
+            gather_at(walk, *y);
+        }
+    }
+    const Onward onward = go_on(*scene_, ray.branch, hit, event, walk.numbers);
+    for (std::size_t b = 0; b < onward.count; ++b)
+        following_.push_back({onward.branches[b], ray.walk});
+}
+
+/// A luminaire sample and one cached vertex light y; the light path could have done the same.
+void WalkFront::gather_at(Walk& walk, const Meeting& y) {
+    const double u_luminaire = walk.numbers.next();
+    const double u = walk.numbers.next();
+    const double v = walk.numbers.next();
+    const NextEvent event = sample_next_event(*emission_, y.at, y.normal, u_luminaire, u, v);
+    const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
+    connections_.add({event.sight,
+                      (y.throughput / pi) * (walk.throughput * event.illuminance * y.diffuse),
+                      counts_.paths * event.path_density,
+                      counts_.gather_first * p2,
+                      walk.point,
+                      event.luminaire});
+    connect_vertex(walk, y);
+}
+
+/// METHODS "LE-MIS", T2 for k >= 3.
+void WalkFront::connect_vertex(Walk& walk, const Meeting& y) {
+    const double u = walk.numbers.next();
+    if (cache_->empty())
+        return;
+    const std::size_t n = cache_->size();
+    const PathVertex& v =
+        cache_->vertices[std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)))];
+    const Vector3 d = y.at - v.position;
+    const double d2 = length_squared(d);
+    if (!(d2 > 0.0))
+        return;
+    const double inverse = 1.0 / std::sqrt(d2);
+    const double cos_v = inverse * dot(v.normal, d);
+    const double cos_y = -inverse * dot(y.normal, d);
+    if (cos_v <= 0.0 || cos_y <= 0.0)
+        return;
+    const double p1 = v.continuation * (cos_v / pi) * cos_y / d2;
+    const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
+    const double share = static_cast<double>(n) / static_cast<double>(cache_->paths);
+    connections_.add({{v.position, y.at},
+                      (y.throughput * share * cos_v * cos_y / (d2 * pi))
+                          * (walk.throughput * v.radiant * y.diffuse),
+                      counts_.vertices * p1,
+                      counts_.gather_later * p2,
+                      walk.point,
+                      v.luminaire});
+}
+
+/// The luminaires light y, and the walk may go on from there: one of the surfaces that a flight
+/// meets is drawn in proportion to what each would pass on.
+void WalkFront::collect_at(Walk& walk, const Meeting& y) {
+    const double u_luminaire = walk.numbers.next();
+    const double u = walk.numbers.next();
+    const double v = walk.numbers.next();
+    const NextEvent event = sample_next_event(*emission_, y.at, y.normal, u_luminaire, u, v);
+    connections_.add({event.sight,
+                      (y.throughput / pi) * (walk.throughput * event.illuminance * y.diffuse),
+                      0.0,
+                      1.0,
+                      walk.point,
+                      event.luminaire});
+    collect_images(walk, y);
+    const double share = y.throughput * luminance_sum(y.diffuse);
+    walk.passed_on += share;
+    if (walk.numbers.next() * walk.passed_on < share) {
+        walk.next = y;
+        walk.goes_on = true;
+    }
+}
+
+/// Light of the luminaires over one randomly chosen chain of imaged mirrors.
+void WalkFront::collect_images(Walk& walk, const Meeting& y) {
+    const auto& chains = images_->chains();
+    if (chains.empty())
+        return;
+    const double count = static_cast<double>(chains.size());
+    const auto& chain = chains[std::min(chains.size() - 1,
+                                        static_cast<std::size_t>(walk.numbers.next() * count))];
+    const double u_luminaire = walk.numbers.next();
+    const double u = walk.numbers.next();
+    const double v = walk.numbers.next();
+    const TowardsSample sample =
+        emission_->sample_towards(image_of(*images_, chain, y.at), u_luminaire, u, v);
+    if (!(sample.density > 0.0))
+        return;
+    const ImageLight light =
+        trace_image(*scene_, *emission_, *images_, chain, y.at, sample, rays_);
+    const double cosine = std::max(0.0, dot(y.normal, light.arrival));
+    if (!(light.strength * cosine > 0.0))
+        return;
+    const double e = count * light.strength * cosine / sample.density;
+    ledger_->add(
+        walk.point,
+        sample.from.luminaire,
+        (y.throughput * e / pi)
+            * (walk.throughput * emission_->colour(sample.from.luminaire) * y.diffuse));
+}
+
+/// Roulette by what the walk still carries, and a new direction.
+void WalkFront::send_on(std::uint32_t number) {
+    Walk& walk = walks_[number];
+    const Meeting from = walk.next;
+    const double share = from.throughput * luminance_sum(from.diffuse) / walk.passed_on;
+    const bool goes_on = walk.goes_on;
+    walk.passed_on = 0.0;
+    walk.goes_on = false;
+    if (!goes_on)
+        return;
+    const Rgb passed = (from.throughput / share) * from.diffuse;
+    const double survival = std::clamp(luminance_sum(walk.carried * passed), 0.05, 0.999);
+    if (walk.numbers.next() >= survival)
+        return;
+    walk.carried = (1.0 / survival) * (walk.carried * passed);
+    walk.throughput = (1.0 / survival) * (walk.throughput * passed);
+    walk.gathers = false;
+    const double u = walk.numbers.next();
+    const Vector3 local = sample_cosine_hemisphere(u, walk.numbers.next());
+    const UnitVector3 w = UnitVector3::from_unit(make_basis(from.normal).to_world(local));
+    current_.push_back({{from.at, w, 1.0, 0.0, 0}, number});
+}
+
+} // namespace isolux

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "isolux/transport/connections.h"
+#include "isolux/transport/follow.h"
+#include "isolux/transport/vertex_cache.h"
+
+namespace isolux {
+
+/// A receiver that sends rays.
+struct RayPoint {
+    const Receiver* receiver = nullptr;
+    Point3 at; ///< clear_point of it
+    PointRandomness random;
+};
+
+/// Walks from neighbouring points into the room, all of them side by side so that their shadow
+/// rays fill packets. A walk either gathers, METHODS "LE-MIS" technique T2: at the first
+/// diffuse surface a luminaire sample and one cached vertex light it; or traces, METHODS "Path
+/// tracing": luminaire samples light every surface, and roulette ends it. Behind a mirror,
+/// where no light path can do the same, a gathering walk becomes a tracing one.
+class WalkFront {
+public:
+    /// Forgets the walks of before. Everything referred to must live until run() is done.
+    void start(const Scene& scene,
+               const Emission& emission,
+               const MirrorImages& images,
+               std::span<const RayPoint> points);
+
+    /// What gathering walks share their paths with. @param connects  whether they light the
+    /// surfaces they meet straight; otherwise only what they meet by mirrors counts
+    void share_with(const VertexCache& cache, const EffectiveCounts& counts, bool connects);
+
+    /// Adds `samples` walks for every point, each worth 1 / samples.
+    /// @param first  number of the first sample of this replicate
+    void add_gathering(std::size_t samples, std::uint32_t first);
+    void add_tracing(std::size_t samples, std::uint32_t first);
+
+    /// Walks them all to their ends. Light straight from luminaires, or by the mirrors that the
+    /// images cover, is not included. @return rays traced
+    std::uint64_t run(const LightLedger& ledger);
+
+private:
+    struct Walk {
+        NumberSequence numbers;
+        std::uint32_t point = 0;
+        bool gathers = false;
+        double pdf = 0.0;             ///< of the first direction, per steradian
+        Rgb throughput;               ///< lx at the point for one cd/m2 along the current rays
+        Rgb carried = Rgb::grey(1.0); ///< the same over that of the first ray: steers roulette
+        double passed_on = 0.0;       ///< sum over the surfaces met of what each would pass on
+        Meeting next;                 ///< the one of them where the walk goes on
+        bool goes_on = false;
+    };
+
+    struct Ray {
+        Branch branch;
+        std::uint32_t walk = 0;
+    };
+
+    void add(std::size_t samples, std::uint32_t first, bool gathers);
+    void trace(std::span<const Ray> rays, const LightLedger& ledger);
+    void arrive(const Ray& ray, const SurfaceHit& hit);
+    void gather_at(Walk& walk, const Meeting& y);
+    void connect_vertex(Walk& walk, const Meeting& y);
+    void collect_at(Walk& walk, const Meeting& y);
+    void collect_images(Walk& walk, const Meeting& y);
+    void send_on(std::uint32_t walk);
+
+    const Scene* scene_ = nullptr;
+    const Emission* emission_ = nullptr;
+    const MirrorImages* images_ = nullptr;
+    std::span<const RayPoint> points_;
+    const VertexCache* cache_ = nullptr;
+    EffectiveCounts counts_;
+    bool connects_ = false;
+    const LightLedger* ledger_ = nullptr; ///< during run() only
+    std::uint64_t rays_ = 0;
+    std::vector<Walk> walks_;
+    std::vector<Ray> current_;
+    std::vector<Ray> following_;
+    std::vector<std::uint32_t> collecting_; ///< walks that may go on after this round
+    Connections connections_;
+};
+
+} // namespace isolux

@@ -1,0 +1,76 @@
+#include <map>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "isolux/calc/bench_rooms.h"
+
+namespace isolux {
+namespace {
+
+std::size_t points_of(const BenchRoom& room) {
+    std::size_t points = 0;
+    for (const CalculationSurface& s : room.surfaces)
+        points += s.receivers.size();
+    return points;
+}
+
+TEST(BenchRooms, HaveThePointsAndLuminairesTheyPromise) {
+    struct Size {
+        std::size_t points, luminaires;
+    };
+
+    const std::map<std::string_view, Size> promised{{"empty-room", {96, 4}},
+                                                    {"corridor", {140, 1}},
+                                                    {"large-office", {2330, 24}},
+                                                    {"many-points", {24000, 4}},
+                                                    {"many-luminaires", {96, 200}},
+                                                    {"furnished-office", {300, 6}},
+                                                    {"near-walls", {40, 6}},
+                                                    {"doorway", {100, 2}}};
+    ASSERT_EQ(bench_room_names().size(), promised.size());
+    for (const std::string_view name : bench_room_names()) {
+        const BenchRoom room = make_bench_room(name);
+        EXPECT_EQ(points_of(room), promised.at(name).points) << name;
+        EXPECT_EQ(room.scene.luminaires.size(), promised.at(name).luminaires) << name;
+    }
+}
+
+TEST(BenchRooms, HaveNothingToComplainAboutInTheirScenes) {
+    for (const std::string_view name : bench_room_names()) {
+        const auto findings = inspect_scene(make_bench_room(name).scene);
+        EXPECT_TRUE(findings.empty())
+            << name << ": " << (findings.empty() ? "" : findings.front().what);
+    }
+}
+
+TEST(BenchRooms, PutTheirPointsInFreeAir) {
+    for (const std::string_view name : bench_room_names()) {
+        BenchRoom room = make_bench_room(name);
+        const std::vector<Room> shells = room.scene.rooms;
+        const Scene scene = build_scene(std::move(room.scene));
+        for (const CalculationSurface& s : room.surfaces)
+            for (const Receiver& r : s.receivers) {
+                EXPECT_TRUE(std::any_of(shells.begin(), shells.end(), [&](const Room& shell) {
+                    return contains(shell, r.point);
+                })) << name;
+                ASSERT_GT(scene.caster.find_nearest_surfaces(r.point, 1.0).nearest, 1e-3)
+                    << name;
+            }
+    }
+}
+
+TEST(BenchRooms, TheLargeOfficeHasItsBoxes) {
+    EXPECT_EQ(make_bench_room("large-office").scene.objects.size(), 113U);
+}
+
+TEST(BenchRooms, AnEmptyRoomGrowsWithItsPanels) {
+    const BenchRoom room = make_empty_bench_room(10, 10, 60, 50);
+    EXPECT_EQ(points_of(room), 100U);
+    EXPECT_EQ(room.scene.luminaires.size(), 3000U);
+    EXPECT_EQ(room.scene.luminaire_types.size(), 1U);
+    EXPECT_EQ(room.scene.rooms.front().footprint[2], (Point2{180.0, 150.0}));
+}
+
+} // namespace
+} // namespace isolux
