@@ -20,7 +20,7 @@ struct EffectiveCounts {
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
 /// precision for connections, and packed as floats for the vectorised kernel, there sorted by
 /// where they lie and face, so that neighbours in the running sum are neighbours in the room.
-/// Holds 176 bytes a vertex.
+/// Holds about 180 bytes a vertex.
 struct VertexCache {
     std::size_t paths = 0;
     std::vector<PathVertex> vertices;
