@@ -41,7 +41,12 @@ WorkPlan make_work_plan(const Settings& settings,
                         const UnitCosts& costs,
                         std::size_t points) {
     WorkPlan plan;
-    if (settings.estimator == Estimator::path_tracing) {
+    const bool all_at_edges =
+        pilot.samples_at_edges > 0.0 && pilot.points[0] + pilot.points[1] == 0;
+    if (all_at_edges) {
+        plan_tracing(plan,
+                     {.direct = pilot.direct_at_edges, .samples = pilot.samples_at_edges});
+    } else if (settings.estimator == Estimator::path_tracing) {
         plan_tracing(plan, pilot.all);
     } else if (settings.fixed_units) {
         plan.effort = balance_effort(pilot.all, costs, points, paths_for(points));
@@ -71,7 +76,7 @@ WorkPlan make_work_plan(const Settings& settings,
     }
     if (settings.fixed_units)
         plan.effort.samples = 32;
-    else if (settings.estimator != Estimator::path_tracing)
+    else if (settings.estimator != Estimator::path_tracing && !all_at_edges)
         plan.effort.samples =
             choose_samples({.direct = direct, .samples = samples}, plan.units);
     return plan;

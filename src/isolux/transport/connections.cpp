@@ -19,8 +19,9 @@ std::size_t Connections::settle(const Scene& scene, const LightLedger& ledger) {
                 continue;
             const Connection& c = waiting_[first + i];
             const double passed = static_cast<double>(visible[i]);
-            const double weight = c.gather / (c.chain * passed + c.gather);
-            ledger.add(c.point, c.luminaire, (passed * weight) * c.light);
+            const double both = c.chain * passed + c.gather;
+            if (both > 0.0)
+                ledger.add(c.point, c.luminaire, (passed * c.gather / both) * c.light);
         }
     }
     const std::size_t rays = waiting_.size();
