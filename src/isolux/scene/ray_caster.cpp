@@ -151,21 +151,28 @@ void RayCaster::Implementation::pass_panes16(std::span<const SightSegment> segme
                                              RayPacket& rays,
                                              std::uint32_t wanted,
                                              std::span<float> result) const noexcept {
+    std::array<double, packet_size> passed{};
+    passed.fill(1.0);
     PacketHits hits;
-    while (wanted != 0) {
-        wanted = pane_scene->find_first_hits(rays, wanted, hits);
-        for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
+    for (std::uint32_t going = wanted; going != 0;) {
+        going = pane_scene->find_first_hits(rays, going, hits);
+        for (std::uint32_t rest = going; rest != 0; rest &= rest - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(rest));
             const Vector3 from = segments[i].a - centre;
             const Vector3 to = segments[i].b - centre;
             const Vector3 way = to - from;
             const double distance = length(way);
             const double step = 2.0 * std::max(offset_at(from), offset_at(to)) / distance;
-            result[i] *= static_cast<float>(dim(hits.triangle[i], way, distance));
-            rays.near[i] = static_cast<float>(static_cast<double>(hits.t[i]) + step);
-            if (!(rays.near[i] < rays.far[i]) || result[i] <= 0.0F)
-                wanted &= ~(1U << i);
+            passed[i] *= dim(hits.triangle[i], way, distance);
+            const double near = static_cast<double>(hits.t[i]) + step;
+            rays.near[i] = static_cast<float>(near);
+            if (!(near < end_of(to, distance)) || passed[i] <= 0.0)
+                going &= ~(1U << i);
         }
+    }
+    for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+        result[i] = static_cast<float>(passed[i]);
     }
 }
 
@@ -216,6 +223,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
                                 std::span<float> result) const noexcept {
     ISOLUX_EXPECT(segments.size() <= packet_size && result.size() >= segments.size());
     const auto& self = *implementation_;
+    wanted &= (1U << segments.size()) - 1U;
     RayPacket packet{};
     for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
