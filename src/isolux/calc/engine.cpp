@@ -98,8 +98,11 @@ void Engine::find_surroundings() {
 std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& target) {
     receivers_ = std::move(receivers);
     find_surroundings();
-    if (receivers_.empty())
+    if (receivers_.empty()) { // the flux balance alone
+        effort_.paths = fewest_paths;
+        fix_counts();
         return 1;
+    }
     const auto edge = static_cast<float>(edge_distance(*scene_, paths_at_edges));
     std::vector<PointClass> classes(receivers_.size());
     for (std::size_t i = 0; i < classes.size(); ++i)

@@ -65,7 +65,7 @@ Onward go_on(const Scene& scene,
     Onward onward;
     if (event.mirror <= 0.0 && event.straight <= 0.0)
         return onward;
-    Branch passing{scene.caster.offset_point(hit.position, ray.w),
+    Branch passing{scene.caster.offset_point(hit.position, -hit.normal),
                    ray.w,
                    ray.throughput * event.straight,
                    ray.travelled + hit.distance,

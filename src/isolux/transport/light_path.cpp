@@ -139,7 +139,8 @@ FluxTally walk_light_path(const Scene& scene,
             behind_mirror = true;
             ++order;
         } else {
-            origin = scene.caster.offset_point(hit->position, w);
+            // Across the pane, not along the ray: that could cross a wall the pane ends at.
+            origin = scene.caster.offset_point(hit->position, -hit->normal);
             alpha = boost * alpha;
             passed *= event.straight;
         }
