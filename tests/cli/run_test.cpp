@@ -35,6 +35,8 @@ TEST_F(RunVerb, WritesEveryKindOfResult) {
     const Ran ran = run({"--tolerance", "5%"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     for (const char* file : {"results.json",
+                             "contributions.npy",
+                             "contributions.json",
                              "office work plane.csv",
                              "office work plane.vtp",
                              "desk_1.csv",

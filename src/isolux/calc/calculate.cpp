@@ -8,6 +8,7 @@
 
 #include "isolux/base/parallel.h"
 #include "isolux/calc/accumulator.h"
+#include "isolux/calc/books.h"
 #include "isolux/calc/engine.h"
 #include "isolux/calc/stopping.h"
 
@@ -38,9 +39,10 @@ public:
                 const Settings& settings,
                 const Control& control)
         : surfaces_(surfaces), settings_(settings), control_(control), engine_(scene, settings),
-          sums_(surfaces, replicates) {
+          sums_(surfaces, replicates), books_(scene, settings, sums_.points(), replicates) {
         for (const CalculationSurface& s : surfaces)
             receivers_.insert(receivers_.end(), s.receivers.begin(), s.receivers.end());
+        engine_.keep_books(books_.layout());
     }
 
     Results run() {
@@ -85,6 +87,7 @@ private:
                 active.push_back(t);
         std::vector<std::vector<double>> direct(active.size());
         std::vector<std::vector<double>> indirect(active.size());
+        std::vector<BookPage> pages(active.size());
         std::vector<RayCounts> rays(active.size());
 
         std::atomic<bool> cut_short = false;
@@ -93,7 +96,8 @@ private:
                 cut_short = true;
                 return;
             }
-            estimate_direct_tile(sums_.tiles()[active[a]], unit, direct[a], rays[a]);
+            pages[a] = books_.open_page(sums_.tiles()[active[a]]);
+            estimate_direct_tile(sums_.tiles()[active[a]], unit, direct[a], pages[a], rays[a]);
             indirect[a].assign(direct[a].size(), 0.0);
         });
         // Replicates are independent: few points run them side by side, many one after the
@@ -119,7 +123,8 @@ private:
                             r,
                             unit,
                             std::span(indirect[a]).subspan(r * tile.points, tile.points),
-                            own[k * active.size() + a]);
+                            own[k * active.size() + a],
+                            books_.entries(pages[a], tile, r));
                     });
                 });
             for (std::size_t k = 0; k < side_by_side; ++k)
@@ -143,8 +148,10 @@ private:
                 return false;
             sums_.keep_replicates(complete < fewest_replicates ? 0 : complete);
         }
-        for (std::size_t a = 0; a < active.size(); ++a)
+        for (std::size_t a = 0; a < active.size(); ++a) {
             sums_.add_unit(sums_.tiles()[active[a]], direct[a], indirect[a]);
+            books_.add(sums_.tiles()[active[a]], pages[a]);
+        }
         if (!settings_.direct_only && (engine_.needs_paths() || unit == 0))
             keep_flux(flux);
         work_done_ += active.size();
@@ -154,13 +161,17 @@ private:
     void estimate_direct_tile(const Accumulator::Tile& tile,
                               std::uint32_t unit,
                               std::vector<double>& direct,
+                              BookPage& page,
                               RayCounts& rays) {
         direct.resize(replicates * tile.points);
         std::vector<double> values(replicates);
+        std::vector<double> by_source;
         for (std::size_t p = 0; p < tile.points; ++p) {
             const std::size_t index = tile.first + p;
             engine_.plan_direct(index, rays);
-            engine_.estimate_direct(index, unit, 0, values, rays);
+            by_source.assign(books_.layout().sources * replicates, 0.0);
+            engine_.estimate_direct(index, unit, 0, values, rays, by_source);
+            books_.enter_direct(page, tile, p, by_source);
             for (std::size_t r = 0; r < replicates; ++r)
                 direct[r * tile.points + p] = values[r];
         }
@@ -314,6 +325,7 @@ private:
         results.paths = paths_;
         results.estimator = engine_.describe();
         results.confidence = settings_.confidence;
+        books_.close(sums_, results);
         if (rays_.degenerate > 0)
             results.notices.push_back(
                 {"calculation",
@@ -334,6 +346,7 @@ private:
     double cpu_start_ = cpu_seconds();
     Engine engine_;
     Accumulator sums_;
+    Books books_;
     std::vector<Receiver> receivers_;
     std::vector<ReplicateFlux> flux_;
     std::size_t flux_units_ = 0;

@@ -176,7 +176,7 @@ void Engine::estimate_local(const VertexCache& cache,
                             std::uint32_t replicate,
                             std::uint32_t unit,
                             Weighting weighting,
-                            std::span<Rgb> light,
+                            const LightLedger& tile,
                             RayCounts& rays) const {
     thread_local LocalScratch scratch;
     thread_local std::vector<LocalPoint> locals;
@@ -186,9 +186,20 @@ void Engine::estimate_local(const VertexCache& cache,
     for (const std::size_t i : points)
         locals.push_back({&receivers_[i], clear_[i], subset.uniform(i, unit)});
     sums.assign(points.size(), {});
-    gather_local_estimates(*scene_, cache, locals, weighting, effort_.draws, scratch, sums);
+    const auto draws =
+        gather_local_estimates(*scene_, cache, locals, weighting, effort_.draws, scratch, sums);
     for (std::size_t k = 0; k < points.size(); ++k)
-        light[points[k] - first] += sums[k];
+        tile.total[points[k] - first] += sums[k];
+    if (!tile.by_source.empty() || tile.wants_trails())
+        for (const LocalDraw& draw : draws) {
+            const std::size_t point = points[draw.point] - first;
+            tile.add_to_source(point, cache.vertices[draw.vertex].luminaire, draw.light);
+            if (!tile.wants_trails())
+                continue;
+            const double lux = luminance_sum(draw.light);
+            visit_chain(
+                cache, draw.vertex, [&](MaterialId m) { tile.add_reflection(point, m, lux); });
+        }
     rays.shadow += effort_.draws * points.size();
 }
 
@@ -198,11 +209,13 @@ void Engine::send_rays(const VertexCache& cache,
                        std::uint32_t replicate,
                        std::uint32_t unit,
                        PointEstimator estimator,
-                       std::span<Rgb> light,
+                       const LightLedger& tile,
                        RayCounts& rays) const {
     thread_local WalkFront front;
     thread_local std::vector<RayPoint> senders;
     thread_local std::vector<Rgb> sums;
+    thread_local std::vector<double> by_source;
+    thread_local std::vector<double> by_material;
     senders.clear();
     for (const std::size_t i : points)
         senders.push_back(
@@ -216,9 +229,20 @@ void Engine::send_rays(const VertexCache& cache,
         front.add_gathering(effort_.directions,
                             static_cast<std::uint32_t>(unit * effort_.directions));
     }
-    rays.gather += front.run({sums, {}, {}});
-    for (std::size_t k = 0; k < points.size(); ++k)
-        light[points[k] - first] += sums[k];
+    // The points may be some of the tile's only.
+    const std::size_t n = points.size();
+    const std::size_t tile_points = tile.total.size();
+    by_source.assign(tile.by_source.size() / tile_points * n, 0.0);
+    by_material.assign(tile.by_material.size() / tile_points * n, 0.0);
+    rays.gather += front.run({sums, layout_, by_source, by_material});
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t point = points[k] - first;
+        tile.total[point] += sums[k];
+        for (std::size_t s = 0; s < by_source.size() / n; ++s)
+            tile.by_source[s * tile_points + point] += by_source[s * n + k];
+        for (std::size_t m = 0; m < by_material.size() / n; ++m)
+            tile.by_material[m * tile_points + point] += by_material[m * n + k];
+    }
 }
 
 void Engine::estimate_indirect(const VertexCache& cache,
@@ -226,10 +250,12 @@ void Engine::estimate_indirect(const VertexCache& cache,
                                std::uint32_t replicate,
                                std::uint32_t unit,
                                std::span<double> result,
-                               RayCounts& rays) const {
+                               RayCounts& rays,
+                               const BookEntries& books) const {
     thread_local std::vector<Rgb> light;
     thread_local std::vector<std::size_t> points;
     light.assign(result.size(), {});
+    const LightLedger tile{light, layout_, books.by_source, books.by_material};
     for (const PointEstimator estimator :
          {PointEstimator::local, PointEstimator::mis, PointEstimator::path_tracing}) {
         points.clear();
@@ -246,26 +272,38 @@ void Engine::estimate_indirect(const VertexCache& cache,
                            replicate,
                            unit,
                            alone ? Weighting::alone : Weighting::balanced,
-                           light,
+                           tile,
                            rays);
         if (!alone || images_.scene_has_mirrors())
-            send_rays(cache, points, first, replicate, unit, estimator, light, rays);
+            send_rays(cache, points, first, replicate, unit, estimator, tile, rays);
     }
-    for (std::size_t i = 0; i < result.size(); ++i)
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const std::uint64_t before = rays.degenerate;
         result[i] = finite_lux(light[i], rays);
+        if (rays.degenerate == before)
+            continue;
+        for (std::size_t k = i; k < books.by_source.size(); k += result.size())
+            books.by_source[k] = 0.0;
+        for (std::size_t k = i; k < books.by_material.size(); k += result.size())
+            books.by_material[k] = 0.0;
+    }
 }
 
 void Engine::plan_direct(std::size_t index, RayCounts& rays) {
     if (!plans_[index].is_made)
-        plans_[index] =
-            direct_.plan(receivers_[index], index, settings_.seed, false, rays.shadow);
+        plans_[index] = direct_.plan(receivers_[index],
+                                     index,
+                                     settings_.seed,
+                                     layout_ != nullptr && !layout_->source_of.empty(),
+                                     rays.shadow);
 }
 
 void Engine::estimate_direct(std::size_t index,
                              std::uint32_t unit,
                              std::uint32_t first_replicate,
                              std::span<double> result,
-                             RayCounts& rays) const {
+                             RayCounts& rays,
+                             std::span<double> by_source) const {
     thread_local std::vector<Rgb> values;
     values.assign(result.size(), {});
     direct_.estimate(receivers_[index],
@@ -274,10 +312,15 @@ void Engine::estimate_direct(std::size_t index,
                      settings_.seed,
                      unit,
                      first_replicate,
-                     {values, {}, {}},
+                     {values, layout_, by_source, {}},
                      rays.shadow);
-    for (std::size_t r = 0; r < result.size(); ++r)
+    for (std::size_t r = 0; r < result.size(); ++r) {
+        const std::uint64_t before = rays.degenerate;
         result[r] = finite_lux(values[r], rays);
+        for (std::size_t k = r; rays.degenerate != before && k < by_source.size();
+             k += result.size())
+            by_source[k] = 0.0;
+    }
 }
 
 std::string Engine::describe() const {

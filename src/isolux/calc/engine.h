@@ -4,6 +4,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "isolux/calc/books.h"
 #include "isolux/calc/project.h"
 #include "isolux/calc/results.h"
 #include "isolux/calc/work_plan.h"
@@ -26,6 +27,10 @@ public:
     Engine(const Scene& scene, const Settings& settings);
 
     [[nodiscard]] const Emission& emission() const noexcept { return emission_; }
+
+    /// What estimate_direct and estimate_indirect tell apart where they are given room for it.
+    /// @param layout  outlives the engine's work
+    void keep_books(const LedgerLayout& layout) noexcept { layout_ = &layout; }
 
     /// Takes the receivers, and fixes effort, estimators and the constants of METHODS eq. (11)
     /// from a pilot of a few paths. A receiver that lies on a surface and does not look away
@@ -51,25 +56,28 @@ public:
     /// Light paths of one replicate and unit, ready for the points.
     [[nodiscard]] VertexCache build_cache(std::uint32_t replicate, std::uint32_t unit) const;
 
-    /// Indirect illuminance of receivers [first, first + result.size()), lx.
+    /// Indirect illuminance of receivers [first, first + result.size()), lx. Adds to the books.
     void estimate_indirect(const VertexCache& cache,
                            std::size_t first,
                            std::uint32_t replicate,
                            std::uint32_t unit,
                            std::span<double> result,
-                           RayCounts& rays) const;
+                           RayCounts& rays,
+                           const BookEntries& books = {}) const;
 
     /// Finds out once what of a receiver's direct light is known without noise. Different
     /// receivers may be planned by different threads.
     void plan_direct(std::size_t index, RayCounts& rays);
 
     /// Direct illuminance of one receiver for replicates from `first_replicate` on, lx.
+    /// @param by_source  [source][replicate], added to; empty where no books are kept
     /// @pre plan_direct(index)
     void estimate_direct(std::size_t index,
                          std::uint32_t unit,
                          std::uint32_t first_replicate,
                          std::span<double> result,
-                         RayCounts& rays) const;
+                         RayCounts& rays,
+                         std::span<double> by_source = {}) const;
 
     /// Whether any active receiver needs light paths.
     [[nodiscard]] bool needs_paths() const noexcept { return needs_paths_; }
@@ -86,7 +94,7 @@ private:
                         std::uint32_t replicate,
                         std::uint32_t unit,
                         Weighting weighting,
-                        std::span<Rgb> light,
+                        const LightLedger& tile,
                         RayCounts& rays) const;
     void send_rays(const VertexCache& cache,
                    std::span<const std::size_t> points,
@@ -94,7 +102,7 @@ private:
                    std::uint32_t replicate,
                    std::uint32_t unit,
                    PointEstimator estimator,
-                   std::span<Rgb> light,
+                   const LightLedger& tile,
                    RayCounts& rays) const;
 
     const Scene* scene_;
@@ -102,6 +110,7 @@ private:
     Emission emission_;
     MirrorImages images_;
     DirectLight direct_;
+    const LedgerLayout* layout_ = nullptr;
     WorkPlan plan_;
     Effort effort_;
     EffectiveCounts counts_;

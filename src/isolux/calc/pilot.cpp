@@ -78,14 +78,14 @@ public:
             front.start(*task_.scene, *task_.emission, *task_.images, senders);
             front.share_with(cache, counts, true);
             front.add_gathering(directions, half);
-            front.run({sums, {}, {}});
+            front.run({sums, nullptr, {}, {}});
             for (std::size_t k = 0; k < sums.size(); ++k)
                 looks[first + k].gathered[half] = luminance_sum(sums[k]);
         }
         std::fill(sums.begin(), sums.end(), Rgb{});
         front.start(*task_.scene, *task_.emission, *task_.images, senders);
         front.add_tracing(samples, 2);
-        front.run({sums, {}, {}});
+        front.run({sums, nullptr, {}, {}});
         for (std::size_t k = 0; k < sums.size(); ++k)
             looks[first + k].traced = luminance_sum(sums[k]);
     }

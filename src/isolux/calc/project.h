@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolux/base/error.h"
+#include "isolux/calc/contributions.h"
 #include "isolux/measure/surface_grid.h"
 #include "isolux/scene/scene.h"
 
@@ -31,6 +32,10 @@ struct Settings {
     Estimator estimator = Estimator::automatic;
     Statement statement = Statement::per_point;
     bool direct_only = false;
+    /// Whose light is kept apart in the results.
+    SourceSplit contributions = SourceSplit::automatic;
+    /// Whether the results hold the derivatives by reflectance.
+    bool sensitivities = false;
     /// Exactly so many units of work instead of a tolerance, for experiments at equal work.
     std::optional<std::size_t> fixed_units;
 };

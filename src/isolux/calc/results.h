@@ -8,6 +8,7 @@
 #include "isolux/base/error.h"
 #include "isolux/base/estimate.h"
 #include "isolux/calc/contributions.h"
+#include "isolux/calc/sensitivities.h"
 #include "isolux/measure/grid_statistics.h"
 #include "isolux/measure/surface_grid.h"
 
@@ -60,8 +61,8 @@ struct Results {
     double confidence =
         0.95; ///< of each interval by itself; stopping asked for more (METHODS "Stopping")
     std::vector<Message> notices;
-    std::optional<Contributions>
-        contributions; ///< absent where the settings did not ask for it
+    std::optional<Contributions> contributions; ///< where Settings::contributions asks for them
+    std::optional<Sensitivities> sensitivities; ///< where Settings::sensitivities does
 };
 
 } // namespace isolux

@@ -160,12 +160,8 @@ void write_contributions(const std::filesystem::path& folder, const Results& res
 }
 
 void remove_contributions(const std::filesystem::path& folder) {
-    for (const char* name : {contributions_index, contributions_table}) {
-        std::error_code error;
-        std::filesystem::remove(folder / name, error);
-        if (error)
-            throw WriteError(folder / name, error);
-    }
+    remove_file(folder / contributions_index);
+    remove_file(folder / contributions_table);
 }
 
 ContributionsDocument read_contributions(const std::filesystem::path& folder) {

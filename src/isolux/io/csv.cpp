@@ -184,6 +184,41 @@ std::string to_csv(const SurfaceResult& result, double confidence) {
     return csv;
 }
 
+std::string to_sensitivities_csv(const Results& results) {
+    std::string csv = "surface,point,x_m,y_m,z_m,material,reflectance,derivative_lx,"
+                      "standard_error_lx\r\n";
+    const Sensitivities& s = *results.sensitivities;
+    std::size_t first = 0;
+    for (const SurfaceResult& surface : results.surfaces) {
+        const std::size_t points = surface.points.size();
+        for (std::size_t m = 0; m < s.materials.size() && points > 0; ++m) {
+            const auto append = [&](const std::string& point,
+                                    const std::array<std::string, 3>& place,
+                                    const Estimate& e) {
+                append_row(csv,
+                           {surface.surface.name,
+                            point,
+                            place[0],
+                            place[1],
+                            place[2],
+                            s.materials[m].name,
+                            to_shortest(s.materials[m].reflectance),
+                            to_shortest(e.mean),
+                            to_shortest(e.standard_error)});
+            };
+            append("mean", {}, s.of_mean(m, first, points));
+            for (std::size_t p = 0; p < points; ++p) {
+                const Point3& at = surface.surface.receivers[p].point;
+                append(std::to_string(p + 1),
+                       {to_shortest(at.x), to_shortest(at.y), to_shortest(at.z)},
+                       s.at(m, first + p));
+            }
+        }
+        first += points;
+    }
+    return csv;
+}
+
 std::string to_summary_csv(const Results& results) {
     std::string csv;
     append_row(csv,

@@ -22,6 +22,14 @@ namespace isolux {
 /// U0 and Ud have the unit "1".
 [[nodiscard]] std::string to_summary_csv(const Results& results);
 
+inline constexpr const char* sensitivities_table = "sensitivities.csv";
+
+/// The derivatives of a calculation: `surface,point,x_m,y_m,z_m,material,reflectance,
+/// derivative_lx,standard_error_lx`. For each surface and material first the derivative of the
+/// surface's mean (`point` is "mean", without a position), then a row a point, counted from 1.
+/// @pre results.sensitivities
+[[nodiscard]] std::string to_sensitivities_csv(const Results& results);
+
 /// One record of a CSV file and the line it began on.
 struct CsvRecord {
     int line = 1;

@@ -86,7 +86,9 @@ void read_settings(const JsonNode& node, Settings& settings) {
                              "seed",
                              "statement",
                              "estimator",
-                             "direct_only"});
+                             "direct_only",
+                             "contributions",
+                             "sensitivities"});
     if (const std::optional<JsonNode> given = object.find("tolerance"))
         settings.tolerance = read_percentage(*given, 1e-4, 0.5).value_or(settings.tolerance);
     settings.absolute_tolerance = object.number(
@@ -112,6 +114,13 @@ void read_settings(const JsonNode& node, Settings& settings) {
         settings.estimator = static_cast<Estimator>(read_choice(*given, words).value_or(0));
     }
     settings.direct_only = object.boolean("direct_only", settings.direct_only);
+    if (const std::optional<JsonNode> given = object.find("contributions")) {
+        constexpr std::array<std::string_view, 4> words{
+            "automatic", "none", "groups", "luminaires"};
+        settings.contributions =
+            static_cast<SourceSplit>(read_choice(*given, words).value_or(0));
+    }
+    settings.sensitivities = object.boolean("sensitivities", settings.sensitivities);
 }
 
 } // namespace isolux

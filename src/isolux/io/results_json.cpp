@@ -204,17 +204,21 @@ std::string to_results_json(const ResultsDocument& document) {
 
 void write_results(const std::filesystem::path& folder, const ResultsDocument& document) {
     make_folder(folder);
-    std::vector<std::string> names;
+    std::vector<std::string> names{"sensitivities"}; // a surface must not take its name
     for (const SurfaceResult& s : document.results.surfaces)
         names.push_back(s.surface.name);
     const std::vector<std::string> stems = file_stems(names);
-    for (std::size_t i = 0; i < stems.size(); ++i)
-        write_file_safely(folder / (stems[i] + ".csv"),
-                          to_csv(document.results.surfaces[i], document.results.confidence));
+    for (std::size_t i = 1; i < stems.size(); ++i)
+        write_file_safely(
+            folder / (stems[i] + ".csv"),
+            to_csv(document.results.surfaces[i - 1], document.results.confidence));
     // Those of an earlier run would speak of other lights.
     remove_contributions(folder);
+    remove_file(folder / sensitivities_table);
     if (document.results.contributions)
         write_contributions(folder, document.results);
+    if (document.results.sensitivities)
+        write_file_safely(folder / sensitivities_table, to_sensitivities_csv(document.results));
     write_file_safely(folder / "results.json", to_results_json(document));
 }
 

@@ -129,6 +129,13 @@ void write_file_safely(const fs::path& path, std::string_view bytes) {
     flush_folder(path.parent_path());
 }
 
+void remove_file(const fs::path& path) {
+    std::error_code error;
+    fs::remove(path, error);
+    if (error)
+        throw WriteError(path, error);
+}
+
 void make_folder(const fs::path& path) {
     std::error_code error;
     fs::create_directories(path, error);

@@ -24,6 +24,9 @@ private:
 /// @throws WriteError  disk full, no permission, no such folder ...; the old file is untouched
 void write_file_safely(const std::filesystem::path& path, std::string_view bytes);
 
+/// Removes a file; one that is not there is no error. @throws WriteError
+void remove_file(const std::filesystem::path& path);
+
 /// Makes a folder, and those above it, where they are missing. @throws WriteError
 void make_folder(const std::filesystem::path& path);
 

@@ -5,7 +5,8 @@
 
 namespace isolux {
 
-std::size_t Connections::settle(const Scene& scene, const LightLedger& ledger) {
+std::size_t
+Connections::settle(const Scene& scene, const LightLedger& ledger, const Trails& trails) {
     std::array<SightSegment, packet_size> sights;
     std::array<float, packet_size> visible{};
     for (std::size_t first = 0; first < waiting_.size(); first += packet_size) {
@@ -21,7 +22,11 @@ std::size_t Connections::settle(const Scene& scene, const LightLedger& ledger) {
             const double passed = static_cast<double>(visible[i]);
             const double both = c.chain * passed + c.gather;
             if (both > 0.0)
-                ledger.add(c.point, c.luminaire, (passed * c.gather / both) * c.light);
+                ledger.add(c.point,
+                           c.luminaire,
+                           (passed * c.gather / both) * c.light,
+                           trails,
+                           c.trail);
         }
     }
     const std::size_t rays = waiting_.size();

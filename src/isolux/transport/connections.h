@@ -17,6 +17,7 @@ struct Connection {
     double gather = 1.0; ///< n2 p2
     std::uint32_t point = 0;
     std::uint32_t luminaire = 0;
+    std::uint32_t trail = Trails::none; ///< its diffuse reflections, where they are wanted
 };
 
 /// Connections wait here until there are enough for whole packets of rays.
@@ -33,7 +34,7 @@ public:
 
     /// Looks along all of them and writes down the light that comes through, weighted by
     /// METHODS eq. (10). @return how many rays that took
-    std::size_t settle(const Scene& scene, const LightLedger& ledger);
+    std::size_t settle(const Scene& scene, const LightLedger& ledger, const Trails& trails);
 
 private:
     std::vector<Connection> waiting_;

@@ -270,7 +270,8 @@ void DirectLight::estimate(const Receiver& receiver,
     if (!ledger.by_source.empty())
         for (const DirectPlan::Term& term : plan.terms)
             for (std::size_t r = 0; r < replicates; ++r)
-                ledger.by_source[ledger.source_of[term.luminaire] * replicates + r] += term.lux;
+                ledger.by_source[ledger.layout->source_of[term.luminaire] * replicates + r] +=
+                    term.lux;
     if (emission_->total_flux() <= 0.0 || is_exact(plan))
         return;
     const Task task{
@@ -292,8 +293,14 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::uint64_t& rays) const {
     std::ranges::fill(result, Rgb{});
     const DirectPlan made = plan(receiver, receiver_index, seed, false, rays);
-    estimate(
-        receiver, made, receiver_index, seed, unit, first_replicate, {result, {}, {}}, rays);
+    estimate(receiver,
+             made,
+             receiver_index,
+             seed,
+             unit,
+             first_replicate,
+             {result, nullptr, {}, {}},
+             rays);
 }
 
 } // namespace isolux

@@ -22,7 +22,7 @@ Rgb gather_indirect(const Scene& scene,
     front.start(scene, emission, images, {&point, 1});
     front.share_with(cache, counts, part == GatherPart::balanced);
     front.add_gathering(directions, first);
-    rays += front.run({{&sum, 1}, {}, {}});
+    rays += front.run({{&sum, 1}, nullptr, {}, {}});
     return sum;
 }
 

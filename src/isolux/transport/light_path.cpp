@@ -63,6 +63,8 @@ FluxTally walk_light_path(const Scene& scene,
     bool is_first = true;       // no vertex yet
     bool behind_mirror = false; // a Dirac reflection since the last vertex
     std::uint32_t order = 1;
+    std::uint32_t reflections = 0; // diffuse ones
+    std::size_t last = 0;          // vertex of the last of them
 
     for (std::uint32_t bounce = 0;; ++bounce) {
         // Fly to the next surface.
@@ -100,6 +102,8 @@ FluxTally walk_light_path(const Scene& scene,
             v.continuation = survival * diffuse / albedo;
             v.order = order;
             v.luminaire = static_cast<std::uint32_t>(start.from.luminaire);
+            v.material = triangle.material;
+            v.back = reflections == 0 ? 0 : static_cast<std::uint32_t>(vertices.size() - last);
             v.is_first = is_first && !behind_mirror;
             if (behind_mirror)
                 v.density = after_mirror;
@@ -132,6 +136,8 @@ FluxTally walk_light_path(const Scene& scene,
             is_first = false;
             behind_mirror = false;
             ++order;
+            ++reflections;
+            last = vertices.size() - 1;
         } else if (pick < diffuse + event.mirror) {
             w = reflect(w, hit->normal);
             origin = scene.caster.offset_point(hit->position, hit->normal);

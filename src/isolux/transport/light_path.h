@@ -20,6 +20,9 @@ struct PathVertex {
     double continuation = 0.0; ///< probability that the chain goes on diffusely from here
     std::uint32_t order = 1;   ///< reflections up to and including this one
     std::uint32_t luminaire = 0;
+    MaterialId material;
+    /// How many vertices before this one the path was last reflected diffusely; 0: never.
+    std::uint32_t back = 0;
     bool is_first = false; ///< lit straight by a luminaire: order 1 and no mirror on the way
 };
 

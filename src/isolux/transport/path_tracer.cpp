@@ -135,7 +135,7 @@ Rgb trace_indirect(const Scene& scene,
     WalkFront front;
     front.start(scene, emission, images, {&point, 1});
     front.add_tracing(samples, first);
-    rays += front.run({{&sum, 1}, {}, {}});
+    rays += front.run({{&sum, 1}, nullptr, {}, {}});
     return sum;
 }
 

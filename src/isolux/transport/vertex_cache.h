@@ -20,7 +20,7 @@ struct EffectiveCounts {
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
 /// precision for connections, and packed as floats for the vectorised kernel, there sorted by
 /// where they lie and face, so that neighbours in the running sum are neighbours in the room.
-/// Holds about 180 bytes a vertex.
+/// Holds about 190 bytes a vertex.
 struct VertexCache {
     std::size_t paths = 0;
     std::vector<PathVertex> vertices;
@@ -34,6 +34,18 @@ struct VertexCache {
 
     [[nodiscard]] bool empty() const noexcept { return vertices.empty(); }
 };
+
+/// Calls `f(material)` for all diffuse reflections of a light path up to and including a
+/// vertex, the last one first.
+template <class F> void visit_chain(const VertexCache& cache, std::size_t vertex, F&& f) {
+    for (;;) {
+        const PathVertex& v = cache.vertices[vertex];
+        f(v.material);
+        if (v.back == 0)
+            return;
+        vertex -= v.back;
+    }
+}
 
 /// Walks paths [first, first + count) in parallel, each into its own slot.
 [[nodiscard]] VertexCache build_vertex_cache(const Scene& scene,

@@ -35,6 +35,7 @@ void WalkFront::start(const Scene& scene,
     following_.clear();
     collecting_.clear();
     connections_.clear();
+    trails_.clear();
 }
 
 void WalkFront::share_with(const VertexCache& cache,
@@ -86,13 +87,13 @@ std::uint64_t WalkFront::run(const LightLedger& ledger) {
             trace(current_, ledger);
             std::swap(current_, following_);
             if (connections_.size() >= most_waiting)
-                rays_ += connections_.settle(*scene_, ledger);
+                rays_ += connections_.settle(*scene_, ledger, trails_);
         }
         for (const std::uint32_t walk : collecting_)
             send_on(walk);
         collecting_.clear();
     }
-    rays_ += connections_.settle(*scene_, ledger);
+    rays_ += connections_.settle(*scene_, ledger, trails_);
     ledger_ = nullptr;
     return rays_;
 }
@@ -110,7 +111,9 @@ void WalkFront::trace(std::span<const Ray> rays, const LightLedger& ledger) {
                                 [&](std::size_t luminaire, const Rgb& l) {
                                     ledger.add(walk.point,
                                                luminaire,
-                                               branch.throughput * (walk.throughput * l));
+                                               branch.throughput * (walk.throughput * l),
+                                               trails_,
+                                               walk.trail);
                                 });
         }
         if (hit)
@@ -147,7 +150,8 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
                       counts_.paths * event.path_density,
                       counts_.gather_first * p2,
                       walk.point,
-                      event.luminaire});
+                      event.luminaire,
+                      reflected_by(y.material, walk.trail)});
     connect_vertex(walk, y);
 }
 
@@ -157,8 +161,9 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y) {
     if (cache_->empty())
         return;
     const std::size_t n = cache_->size();
-    const PathVertex& v =
-        cache_->vertices[std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)))];
+    const std::size_t drawn =
+        std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
+    const PathVertex& v = cache_->vertices[drawn];
     const Vector3 d = y.at - v.position;
     const double d2 = length_squared(d);
     if (!(d2 > 0.0))
@@ -171,13 +176,17 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y) {
     const double p1 = v.continuation * (cos_v / pi) * cos_y / d2;
     const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
     const double share = static_cast<double>(n) / static_cast<double>(cache_->paths);
+    std::uint32_t trail = reflected_by(y.material, walk.trail);
+    if (ledger_->wants_trails())
+        visit_chain(*cache_, drawn, [&](MaterialId m) { trail = trails_.add(m, trail); });
     connections_.add({{v.position, y.at},
                       (y.throughput * share * cos_v * cos_y / (d2 * pi))
                           * (walk.throughput * v.radiant * y.diffuse),
                       counts_.vertices * p1,
                       counts_.gather_later * p2,
                       walk.point,
-                      v.luminaire});
+                      v.luminaire,
+                      trail});
 }
 
 /// The luminaires light y, and the walk may go on from there: one of the surfaces that a flight
@@ -192,7 +201,8 @@ void WalkFront::collect_at(Walk& walk, const Meeting& y) {
                       0.0,
                       1.0,
                       walk.point,
-                      event.luminaire});
+                      event.luminaire,
+                      reflected_by(y.material, walk.trail)});
     collect_images(walk, y);
     const double share = y.throughput * luminance_sum(y.diffuse);
     walk.passed_on += share;
@@ -223,11 +233,16 @@ void WalkFront::collect_images(Walk& walk, const Meeting& y) {
     if (!(light.strength * cosine > 0.0))
         return;
     const double e = count * light.strength * cosine / sample.density;
-    ledger_->add(
-        walk.point,
-        sample.from.luminaire,
-        (y.throughput * e / pi)
-            * (walk.throughput * emission_->colour(sample.from.luminaire) * y.diffuse));
+    ledger_->add(walk.point,
+                 sample.from.luminaire,
+                 (y.throughput * e / pi)
+                     * (walk.throughput * emission_->colour(sample.from.luminaire) * y.diffuse),
+                 trails_,
+                 reflected_by(y.material, walk.trail));
+}
+
+std::uint32_t WalkFront::reflected_by(MaterialId material, std::uint32_t before) {
+    return ledger_->wants_trails() ? trails_.add(material, before) : Trails::none;
 }
 
 /// Roulette by what the walk still carries, and a new direction.
@@ -247,6 +262,7 @@ void WalkFront::send_on(std::uint32_t number) {
     walk.carried = (1.0 / survival) * (walk.carried * passed);
     walk.throughput = (1.0 / survival) * (walk.throughput * passed);
     walk.gathers = false;
+    walk.trail = reflected_by(from.material, walk.trail);
     const double u = walk.numbers.next();
     const Vector3 local = sample_cosine_hemisphere(u, walk.numbers.next());
     const UnitVector3 w = UnitVector3::from_unit(make_basis(from.normal).to_world(local));

@@ -54,6 +54,7 @@ private:
         double passed_on = 0.0;       ///< sum over the surfaces met of what each would pass on
         Meeting next;                 ///< the one of them where the walk goes on
         bool goes_on = false;
+        std::uint32_t trail = Trails::none; ///< surfaces the walk was sent on from
     };
 
     struct Ray {
@@ -69,6 +70,7 @@ private:
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
     void send_on(std::uint32_t walk);
+    [[nodiscard]] std::uint32_t reflected_by(MaterialId material, std::uint32_t before);
 
     const Scene* scene_ = nullptr;
     const Emission* emission_ = nullptr;
@@ -84,6 +86,7 @@ private:
     std::vector<Ray> following_;
     std::vector<std::uint32_t> collecting_; ///< walks that may go on after this round
     Connections connections_;
+    Trails trails_; ///< written only where the ledger wants them
 };
 
 } // namespace isolux

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "isolux/calc/contributions.h"
+#include "isolux/calc/books.h"
 
 #include "support/test_scene.h"
 
@@ -99,6 +99,54 @@ TEST(Contributions, AddUpForOnePartAlone) {
     const std::vector<double> levels{1.0, 0.0};
     const ReplicateTable t = combine(small_table(), LightPart::indirect, levels, 0, 3);
     EXPECT_DOUBLE_EQ(t.row(1)[2], 32.0 / 4096.0);
+}
+
+/// Used, diffuse, not black: the others' paths tell nothing.
+TEST(SensitiveMaterials, AreThoseThatReflectDiffusely) {
+    test::Builder b;
+    const MaterialId grey = b.add_diffuse(0.5);
+    b.add_diffuse(0.7); // of nothing
+    const MaterialId black = b.add_diffuse(0.0);
+    const MaterialId mirror = b.add_material({"mirror", Opaque{{}, 0.9}, Sides::both});
+    const MaterialId red = b.add_material({"red", Opaque{{0.5, 0.1, 0.1}, 0.1}, Sides::both});
+    for (const MaterialId m : {grey, black, mirror, red})
+        b.add_quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, m);
+    const auto found = find_sensitive_materials(b.build());
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].id, grey);
+    EXPECT_EQ(found[0].reflectance, 0.5);
+    EXPECT_EQ(found[1].name, "red");
+    EXPECT_DOUBLE_EQ(found[1].reflectance, luminance_sum({0.5, 0.1, 0.1}));
+}
+
+Settings settings_with(SourceSplit split) {
+    Settings settings;
+    settings.contributions = split;
+    return settings;
+}
+
+TEST(Books, AreKeptUnaskedUpToALimitAndSayWhereItIs) {
+    const Scene scene = scene_with({{"a", "one", 0}, {"b", "two", 0}});
+    const std::size_t most = most_automatic_values / (2 * 2 * 16);
+    const auto notices = [&](std::size_t points, SourceSplit split) {
+        CalculationSurface surface;
+        surface.receivers.resize(1);
+        const Books books(scene, settings_with(split), points, 16);
+        Results results;
+        books.close(Accumulator({&surface, 1}, 16), results);
+        return std::pair(books.layout().sources, results.notices);
+    };
+    EXPECT_EQ(notices(most, SourceSplit::automatic).first, 2U);
+    const auto [sources, said] = notices(most + 1, SourceSplit::automatic);
+    EXPECT_EQ(sources, 0U);
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(
+        to_string(said[0]),
+        "calculation: the light of 2 sources at 262145 points is not kept apart (the table "
+        "would take 64 MiB). Set \"contributions\" to \"groups\" in the settings?");
+    EXPECT_EQ(notices(most + 1, SourceSplit::groups).first, 2U);
+    EXPECT_EQ(notices(1, SourceSplit::none).first, 0U);
+    EXPECT_EQ(notices(1, SourceSplit::luminaires).first, 2U);
 }
 
 } // namespace

@@ -131,5 +131,34 @@ TEST(CsvParser, NamesTheLineOfABrokenQuote) {
               "f.csv:2: text after a closing quote. Double the quotes inside?");
 }
 
+TEST(SensitivitiesCsv, HasTheMeanAndThePointsOfEverySurfaceAndMaterial) {
+    Results r;
+    r.surfaces.resize(2);
+    for (std::size_t s = 0; s < 2; ++s) {
+        r.surfaces[s].surface.name = s == 0 ? "desk" : "wall, left";
+        r.surfaces[s].points.resize(2 - s);
+        r.surfaces[s].surface.receivers.resize(2 - s);
+    }
+    r.surfaces[0].surface.receivers[1].point = {1, 2.5, 0.75};
+    // Two materials, two replicates, three points.
+    r.sensitivities = Sensitivities{{{"oak", 0.25, {}}, {"white", 0.8, {}}},
+                                    2,
+                                    3,
+                                    {1, 2, 3, 3, 4, 5, 10, 20, 30, 10, 20, 30}};
+    EXPECT_EQ(
+        to_sensitivities_csv(r),
+        "surface,point,x_m,y_m,z_m,material,reflectance,derivative_lx,standard_error_lx\r\n"
+        "desk,mean,,,,oak,0.25,2.5,1\r\n"
+        "desk,1,0,0,0,oak,0.25,2,1\r\n"
+        "desk,2,1,2.5,0.75,oak,0.25,3,1\r\n"
+        "desk,mean,,,,white,0.8,15,0\r\n"
+        "desk,1,0,0,0,white,0.8,10,0\r\n"
+        "desk,2,1,2.5,0.75,white,0.8,20,0\r\n"
+        "\"wall, left\",mean,,,,oak,0.25,4,1\r\n"
+        "\"wall, left\",1,0,0,0,oak,0.25,4,1\r\n"
+        "\"wall, left\",mean,,,,white,0.8,30,0\r\n"
+        "\"wall, left\",1,0,0,0,white,0.8,30,0\r\n");
+}
+
 } // namespace
 } // namespace isolux

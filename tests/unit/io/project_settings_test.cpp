@@ -103,6 +103,16 @@ const Malformed settings[] = {
      R"({"direct_only": "yes"})",
      "#/settings/direct_only: true or false is expected here (found text)",
      shape},
+    {"UnknownContributions",
+     "settings",
+     R"({"contributions": "group"})",
+     R"(#/settings/contributions: "group" is not known here (it must be "automatic", "none", "groups" or "luminaires"). Did you mean "groups"?)",
+     shape},
+    {"SensitivitiesNumber",
+     "settings",
+     R"({"sensitivities": 1})",
+     "#/settings/sensitivities: true or false is expected here (found a number)",
+     shape},
 };
 
 INSTANTIATE_TEST_SUITE_P(Settings, MalformedSettings, testing::ValuesIn(settings), name_of);

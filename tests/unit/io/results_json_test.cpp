@@ -10,6 +10,8 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "isolux/io/contributions_file.h"
+#include "isolux/io/csv.h"
 #include "isolux/io/results_json.h"
 #include "isolux/io/safe_file.h"
 #include "isolux/io/schema.h"
@@ -318,6 +320,31 @@ TEST(WriteResults, MakesOneFolderWithJsonAndOneCsvASurface) {
     EXPECT_EQ(to_results_json(read_results_json(out / "results.json")),
               to_results_json(make_document()));
     EXPECT_THROW(static_cast<void>(read_results_json(out / "none.json")), InputError);
+}
+
+/// A run that keeps less apart than the one before must not leave the other's tables.
+TEST(WriteResults, WritesAndRemovesWhatTheSettingsAskFor) {
+    const test::TemporaryFolder folder;
+    const auto table = folder.path() / sensitivities_table;
+    ResultsDocument document = make_document();
+    Results& r = document.results;
+    std::size_t points = 0;
+    for (const SurfaceResult& s : r.surfaces)
+        points += s.points.size();
+    r.sensitivities =
+        Sensitivities{{{"wall", 0.5, {}}}, 16, points, std::vector<float>(16 * points, 2.0F)};
+    r.contributions = Contributions{{{"row", SourceKind::group, 1.0, {0}}},
+                                    16,
+                                    points,
+                                    std::vector<float>(16 * points, 1.0F),
+                                    std::vector<float>(16 * points, 1.0F)};
+    write_results(folder.path(), document);
+    EXPECT_EQ(test::read_bytes(table), to_sensitivities_csv(r));
+    EXPECT_EQ(read_contributions(folder.path()).contributions.points, points);
+    write_results(folder.path(), make_document());
+    EXPECT_FALSE(std::filesystem::exists(table));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / contributions_index));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / contributions_table));
 }
 
 TEST(WriteResults, SaysWhyTheFolderCannotBeMade) {

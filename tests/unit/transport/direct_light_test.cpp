@@ -154,7 +154,8 @@ TEST(DirectLight, IsTheSumOverItsLuminaires) {
     b.add_room({0, 0, 0}, {40, 40, 4}, {}, {}, b.add_diffuse(0.5));
     b.add_quad({11, 0, 0}, {0, 30, 0}, {0, 0, 3.5}, b.add_diffuse(0.5));
     const LuminaireTypeId lamp = b.add_isotropic_type(300.0);
-    std::vector<std::uint32_t> source_of;
+    LedgerLayout layout;
+    layout.sources = 7;
     for (int i = 0; i < 100; ++i) {
         const double x = 2.0 + 4.0 * (i % 10);
         const double y = 2.0 + 4.0 * static_cast<double>(i / 10);
@@ -162,7 +163,7 @@ TEST(DirectLight, IsTheSumOverItsLuminaires) {
             b.add_point({x, y, 3.5}, lamp);
         else
             b.add_panel({x, y, 3.9}, {0, 1, 0}, {1, 0, 0}, 3000.0);
-        source_of.push_back(static_cast<std::uint32_t>(i % 7));
+        layout.source_of.push_back(static_cast<std::uint32_t>(i % 7));
     }
     const Scene scene = b.build();
     const Emission emission(scene);
@@ -176,7 +177,7 @@ TEST(DirectLight, IsTheSumOverItsLuminaires) {
     EXPECT_FALSE(plan.tail.empty());
     std::vector<Rgb> total(replicates);
     std::vector<double> by_source(7 * replicates, 0.0);
-    direct.estimate(receiver, plan, 0, 1, 0, 0, {total, source_of, by_source}, rays);
+    direct.estimate(receiver, plan, 0, 1, 0, 0, {total, &layout, by_source, {}}, rays);
     for (std::size_t r = 0; r < replicates; ++r) {
         double sum = 0.0;
         for (std::size_t s = 0; s < 7; ++s)
