@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/furnace.h"
 #include "support/replicates.h"
 #include "support/test_scene.h"
 
@@ -17,26 +18,8 @@ using test::sample;
 using test::z_limit;
 using test::z_score;
 
-constexpr double exitance = 100.0; // lm/m2
-
-/// A closed room whose six surfaces all emit `exitance` and reflect rho: E = M / (1 - rho) at
-/// every point and for every orientation.
-Builder furnace(double rho) {
-    Builder b;
-    const Point3 p{0, 0, 0};
-    const Vector3 x{3, 0, 0};
-    const Vector3 y{0, 2.5, 0};
-    const Vector3 z{0, 0, 2};
-    const auto m = b.add_diffuse(rho);
-    b.add_room(p, {3, 2.5, 2}, m, m, m);
-    b.add_panel(p, x, y, exitance * 7.5);
-    b.add_panel(p + z, y, x, exitance * 7.5);
-    b.add_panel(p, y, z, exitance * 5.0);
-    b.add_panel(p + x, z, y, exitance * 5.0);
-    b.add_panel(p, z, x, exitance * 6.0);
-    b.add_panel(p + y, x, z, exitance * 6.0);
-    return b;
-}
+constexpr double exitance = test::furnace_exitance;
+using test::furnace;
 
 std::vector<Receiver> scattered_points() {
     std::vector<Receiver> points;
@@ -79,7 +62,9 @@ INSTANTIATE_TEST_SUITE_P(Reflectances,
                          Furnace,
                          testing::Combine(testing::Values(0.3, 0.6, 0.9),
                                           testing::Values(Estimator::local_estimation_mis,
-                                                          Estimator::path_tracing)));
+                                                          Estimator::path_tracing,
+                                                          Estimator::bounded,
+                                                          Estimator::bidirectional)));
 
 /// CIE 171:2006 5.8 in kind: a cube, a source at its centre, one reflectance. Averaged over all
 /// surfaces the indirect illuminance is rho Phi / (A (1 - rho)), whatever is inside.

@@ -71,7 +71,10 @@ TEST(Threads, OneTwoOrSevenGiveTheSameBits) {
     for (const Estimator e : {Estimator::automatic,
                               Estimator::local_estimation,
                               Estimator::local_estimation_mis,
-                              Estimator::path_tracing}) {
+                              Estimator::path_tracing,
+                              Estimator::photometer_head,
+                              Estimator::bounded,
+                              Estimator::bidirectional}) {
         Settings settings;
         settings.estimator = e;
         settings.fixed_units = 2;

@@ -123,6 +123,8 @@ TEST_P(Estimators, AgreeOnEveryProjection) {
     const auto mis = test::sample(scene, points, Estimator::local_estimation_mis, 8, 1);
     const auto local = test::sample(scene, points, Estimator::local_estimation, 8, 11);
     const auto traced = test::sample(scene, points, Estimator::path_tracing, 16, 21);
+    const auto bounded = test::sample(scene, points, Estimator::bounded, 8, 31);
+    const auto joined = test::sample(scene, points, Estimator::bidirectional, 16, 41);
     for (std::uint32_t k = 0; k < 8; ++k) {
         const Estimate a = mis.projection(k);
         const Estimate b1 = local.projection(k);
@@ -135,10 +137,21 @@ TEST_P(Estimators, AgreeOnEveryProjection) {
             << "plain local estimation against path tracing, combination " << k << ": "
             << b1.mean << " +- " << b1.standard_error << ", " << c.mean << " +- "
             << c.standard_error;
+        const Estimate d = bounded.projection(k);
+        const Estimate e = joined.projection(k);
+        EXPECT_LT(std::abs(test::z_score(d, c)), test::z_limit)
+            << "bounded kernel against path tracing, combination " << k << ": " << d.mean
+            << " +- " << d.standard_error << ", " << c.mean << " +- " << c.standard_error;
+        EXPECT_LT(std::abs(test::z_score(e, a)), test::z_limit)
+            << "bidirectional against local estimation with gathering, combination " << k
+            << ": " << e.mean << " +- " << e.standard_error << ", " << a.mean << " +- "
+            << a.standard_error;
         if (k == 0)
             RecordProperty("z",
                            std::to_string(test::z_score(a, c)) + " "
-                               + std::to_string(test::z_score(b1, c)));
+                               + std::to_string(test::z_score(b1, c)) + " "
+                               + std::to_string(test::z_score(d, c)) + " "
+                               + std::to_string(test::z_score(e, a)));
     }
     // Power: what the comparison could have seen.
     EXPECT_LT(mis.mean().standard_error, GetParam().power * mis.mean().mean);

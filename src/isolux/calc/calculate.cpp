@@ -11,6 +11,7 @@
 #include "isolux/calc/books.h"
 #include "isolux/calc/engine.h"
 #include "isolux/calc/stopping.h"
+#include "isolux/calc/two_stages.h"
 
 namespace isolux {
 
@@ -324,6 +325,7 @@ private:
         results.units = units;
         results.paths = paths_;
         results.estimator = engine_.describe();
+        results.notices = engine_.notices();
         results.confidence = settings_.confidence;
         books_.close(sums_, results);
         if (rays_.degenerate > 0)
@@ -364,6 +366,8 @@ Results calculate(const Scene& scene,
                   std::span<const CalculationSurface> surfaces,
                   const Settings& settings,
                   const Control& control) {
+    if (settings.stopping == Stopping::two_stages && !settings.fixed_units)
+        return calculate_in_two_stages(scene, surfaces, settings, control);
     return Calculation(scene, surfaces, settings, control).run();
 }
 

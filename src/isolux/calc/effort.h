@@ -17,7 +17,7 @@ struct Effort {
 };
 
 /// Which estimator of the indirect part a point takes.
-enum class PointEstimator : std::uint8_t { local, mis, path_tracing };
+enum class PointEstimator : std::uint8_t { local, mis, path_tracing, study };
 
 inline constexpr std::size_t fewest_paths = 256;
 inline constexpr std::size_t most_paths = 65536;

@@ -25,6 +25,11 @@ constexpr double too_near = 1e-3;
 /// A point that this many paths would leave to the edge rule is no matter for the pilot.
 constexpr double paths_at_edges = 4096.0;
 
+/// Paths from which the estimators for study learn what the scene is like; no replicate walks
+/// them.
+constexpr std::size_t study_paths = 512;
+constexpr std::uint32_t study_replicate = 0xfffffeU;
+
 double edge_distance(const Scene& scene, double paths) {
     return std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / paths));
 }
@@ -53,6 +58,14 @@ Point3 moved_off(const Receiver& receiver, const SurfaceDistances& d) noexcept {
     return receiver.point + (looks_back ? -clear : clear) * Vector3(d.nearest_normal);
 }
 
+std::string in_millimetres(double metres) {
+    std::string text = std::to_string(1e3 * metres);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    return text + " mm";
+}
+
 } // namespace
 
 Engine::Engine(const Scene& scene, const Settings& settings)
@@ -62,7 +75,7 @@ Engine::Engine(const Scene& scene, const Settings& settings)
 void Engine::adapt(std::span<const std::size_t> active) {
     const auto by_paths = static_cast<std::size_t>(
         std::count_if(active.begin(), active.end(), [&](std::size_t i) {
-            return estimators_[i] != PointEstimator::path_tracing;
+            return takes_paths(estimators_[i]);
         }));
     needs_paths_ = !settings_.direct_only && by_paths > 0;
     // More for each of few points; never less, so that no number is drawn twice.
@@ -146,6 +159,11 @@ void Engine::choose_estimators() {
         case Estimator::path_tracing:
             estimators_[i] = PointEstimator::path_tracing;
             break;
+        case Estimator::photometer_head:
+        case Estimator::bounded:
+        case Estimator::bidirectional:
+            estimators_[i] = PointEstimator::study;
+            break;
         case Estimator::local_estimation_mis:
             break;
         case Estimator::automatic:
@@ -156,9 +174,24 @@ void Engine::choose_estimators() {
             break;
         }
     needs_paths_ = !settings_.direct_only
-                   && std::any_of(estimators_.begin(), estimators_.end(), [](PointEstimator e) {
-                          return e != PointEstimator::path_tracing;
-                      });
+                   && std::any_of(estimators_.begin(),
+                                  estimators_.end(),
+                                  [this](PointEstimator e) { return takes_paths(e); });
+    if (!StudyEstimators::serves(settings_.estimator))
+        return;
+    VertexCache trial;
+    if (emission_.total_flux() > 0.0)
+        trial = build_vertex_cache(*scene_,
+                                   emission_,
+                                   PathRandomness(settings_.seed, study_replicate),
+                                   0,
+                                   study_paths,
+                                   EffectiveCounts{});
+    study_.prepare(*scene_, settings_, receivers_, trial);
+}
+
+bool Engine::takes_paths(PointEstimator e) const noexcept {
+    return e != PointEstimator::path_tracing && settings_.estimator != Estimator::bidirectional;
 }
 
 VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) const {
@@ -256,6 +289,7 @@ void Engine::estimate_indirect(const VertexCache& cache,
     thread_local std::vector<std::size_t> points;
     light.assign(result.size(), {});
     const LightLedger tile{light, layout_, books.by_source, books.by_material};
+    const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
     for (const PointEstimator estimator :
          {PointEstimator::local, PointEstimator::mis, PointEstimator::path_tracing}) {
         points.clear();
@@ -278,6 +312,18 @@ void Engine::estimate_indirect(const VertexCache& cache,
             send_rays(cache, points, first, replicate, unit, estimator, tile, rays);
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
+        if (estimators_[first + i] == PointEstimator::study)
+            light[i] = study_.estimate(*scene_,
+                                       emission_,
+                                       images_,
+                                       cache,
+                                       receivers_[first + i],
+                                       first + i,
+                                       replicate,
+                                       unit,
+                                       {effort_.draws, effort_.directions, effort_.samples / 4},
+                                       subset.uniform(first + i, unit),
+                                       rays);
         const std::uint64_t before = rays.degenerate;
         result[i] = finite_lux(light[i], rays);
         if (rays.degenerate == before)
@@ -338,6 +384,13 @@ std::string Engine::describe() const {
         return fmt::format(
             "path tracing from the points; paths a point, replicate and unit: {}",
             effort_.samples);
+    case Estimator::photometer_head:
+        return "local estimation at a photometer head of radius "
+               + in_millimetres(settings_.photometer_head_radius) + "; " + text;
+    case Estimator::bounded:
+        return "local estimation with a bounded kernel and its compensation; " + text;
+    case Estimator::bidirectional:
+        return "bidirectional path tracing from the points";
     default: {
         const std::string pilot = describe_advantage(plan_);
         return fmt::format(
@@ -350,6 +403,22 @@ std::string Engine::describe() const {
             effort_.directions);
     }
     }
+}
+
+std::vector<Message> Engine::notices() const {
+    if (settings_.estimator != Estimator::photometer_head)
+        return {};
+    std::string text = "reflected light is the mean over a photometer head of radius "
+                       + in_millimetres(settings_.photometer_head_radius)
+                       + ", not the value at the point (the difference is r^2/8 times the "
+                         "Laplacian of E)";
+    if (study_.cut_heads() > 0)
+        text += "; points whose head an edge cuts, where it grows like r: "
+                + std::to_string(study_.cut_heads());
+    if (study_.without_head() > 0)
+        text += "; points that are no planes and have no head: "
+                + std::to_string(study_.without_head());
+    return {{"calculation", text, "For values at the points take another estimator"}};
 }
 
 } // namespace isolux

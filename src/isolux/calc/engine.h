@@ -7,6 +7,7 @@
 #include "isolux/calc/books.h"
 #include "isolux/calc/project.h"
 #include "isolux/calc/results.h"
+#include "isolux/calc/study_estimators.h"
 #include "isolux/calc/work_plan.h"
 #include "isolux/transport/direct_light.h"
 #include "isolux/transport/mirror_images.h"
@@ -84,10 +85,14 @@ public:
 
     [[nodiscard]] std::string describe() const;
 
+    /// What a reader of the results must know about the estimator.
+    [[nodiscard]] std::vector<Message> notices() const;
+
 private:
     void find_surroundings();
     void choose_estimators();
     void fix_counts();
+    [[nodiscard]] bool takes_paths(PointEstimator e) const noexcept;
     void estimate_local(const VertexCache& cache,
                         std::span<const std::size_t> points,
                         std::size_t first,
@@ -122,6 +127,7 @@ private:
     std::vector<PointEstimator> estimators_;
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;
+    StudyEstimators study_;
     bool needs_paths_ = true;
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "isolux/base/error.h"
@@ -13,11 +15,44 @@
 
 namespace isolux {
 
-enum class Estimator { automatic, local_estimation, local_estimation_mis, path_tracing };
+/// How reflected light is calculated. The last three are independent implementations, for
+/// comparison and study: METHODS 2.4.
+enum class Estimator {
+    automatic,
+    local_estimation,
+    local_estimation_mis,
+    path_tracing,
+    photometer_head, ///< means over a small disc, not values at a point
+    bounded,         ///< local estimation with a bounded kernel and its compensation
+    bidirectional
+};
+
+/// What estimators are called: on the command line and in the project file.
+struct EstimatorName {
+    Estimator estimator;
+    std::string_view on_command_line;
+    std::string_view in_project;
+};
+
+inline constexpr std::array estimator_names{
+    EstimatorName{Estimator::automatic, "auto", "automatic"},
+    EstimatorName{Estimator::local_estimation, "local", "local-estimation"},
+    EstimatorName{Estimator::local_estimation_mis, "mis", "local-estimation-mis"},
+    EstimatorName{Estimator::path_tracing, "path-tracing", "path-tracing"},
+    EstimatorName{Estimator::photometer_head, "head", "photometer-head"},
+    EstimatorName{Estimator::bounded, "bounded", "bounded"},
+    EstimatorName{Estimator::bidirectional, "bidirectional", "bidirectional"},
+};
 
 enum class Statement {
     per_point, ///< every interval holds at the stated confidence by itself
     all_points ///< all intervals of a surface hold at once (Bonferroni)
+};
+
+/// When a calculation ends, METHODS "Stopping".
+enum class Stopping {
+    doubling,  ///< look at the intervals after 1, 2, 4, ... times the work
+    two_stages ///< a pilot fixes the work, which is done once
 };
 
 /// What the user may ask for. The tolerance is the one quality setting.
@@ -30,7 +65,10 @@ struct Settings {
     std::optional<std::chrono::duration<double>> time_limit;
     std::uint64_t seed = 1;
     Estimator estimator = Estimator::automatic;
+    /// m; what Estimator::photometer_head averages over
+    double photometer_head_radius = 0.01;
     Statement statement = Statement::per_point;
+    Stopping stopping = Stopping::doubling;
     bool direct_only = false;
     /// Whose light is kept apart in the results.
     SourceSplit contributions = SourceSplit::automatic;

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <string>
 
+#include "isolux/base/receiver.h"
 #include "isolux/scene/scene.h"
+#include "isolux/validate/sobolev.h"
 
 /// Building blocks of scenes with known answers.
 namespace isolux {
@@ -41,5 +43,14 @@ void add_lambertian_source(SceneDescription& scene,
                            const Frame& frame,
                            const LuminousOpening& opening,
                            Lumen flux);
+
+/// Sobolev's problem with square plates whose half side is 60 separations. What their rim is
+/// missing is below 1e-7 of the value at five separations from the foot of the source.
+[[nodiscard]] SceneDescription make_sobolev_plates(const SobolevProblem& problem);
+
+/// A point of those plates at `r` from the foot of the source, each radius in another
+/// direction.
+[[nodiscard]] Receiver
+make_sobolev_receiver(const SobolevProblem& problem, SobolevPlane plane, Metre r);
 
 } // namespace isolux

@@ -22,7 +22,30 @@ constexpr double foot_x = 0.31, foot_y = 0.17;
 
 constexpr std::array radii{0.0, 0.25, 0.5, 1.0, 2.0, 3.0, 5.0}; ///< over the separation
 
-SceneDescription make_plates(const SobolevProblem& problem) {
+SelftestCase make_sobolev(const SobolevProblem& problem) {
+    SelftestCase selftest;
+    selftest.name = fmt::format(
+        "Sobolev, reflectances {:g} and {:g}", problem.reflectance_1, problem.reflectance_2);
+    selftest.settings = selftest_settings();
+    selftest.scene = [problem] { return make_sobolev_plates(problem); };
+    const double h = in_metre(problem.separation);
+    for (const SobolevPlane plane : {SobolevPlane::one, SobolevPlane::two}) {
+        const bool is_lower = plane == SobolevPlane::one;
+        for (const double ratio : radii) {
+            const double r = ratio * h;
+            add_point(selftest,
+                      fmt::format("plane {}, r = {:g} m", is_lower ? 1 : 2, r),
+                      make_sobolev_receiver(problem, plane, Metre(r)),
+                      Part::total,
+                      sobolev_illuminance(problem, plane, Metre(r)));
+        }
+    }
+    return selftest;
+}
+
+} // namespace
+
+SceneDescription make_sobolev_plates(const SobolevProblem& problem) {
     SceneDescription scene;
     const double h = in_metre(problem.separation);
     const double s = half_size * h;
@@ -37,33 +60,15 @@ SceneDescription make_plates(const SobolevProblem& problem) {
     return scene;
 }
 
-SelftestCase make_sobolev(const SobolevProblem& problem) {
-    SelftestCase selftest;
-    selftest.name = fmt::format(
-        "Sobolev, reflectances {:g} and {:g}", problem.reflectance_1, problem.reflectance_2);
-    selftest.settings = selftest_settings();
-    selftest.scene = [problem] { return make_plates(problem); };
+Receiver make_sobolev_receiver(const SobolevProblem& problem, SobolevPlane plane, Metre r) {
     const double h = in_metre(problem.separation);
-    for (const SobolevPlane plane : {SobolevPlane::one, SobolevPlane::two}) {
-        const bool is_lower = plane == SobolevPlane::one;
-        for (const double ratio : radii) {
-            const double r = ratio * h;
-            const double azimuth = 0.5 + 0.9 * ratio; // each radius in another direction
-            const Receiver receiver{{foot_x * h + r * std::cos(azimuth),
-                                     foot_y * h + r * std::sin(azimuth),
-                                     is_lower ? 0.0 : h},
-                                    UnitVector3::from_unit({0, 0, is_lower ? 1.0 : -1.0})};
-            add_point(selftest,
-                      fmt::format("plane {}, r = {:g} m", is_lower ? 1 : 2, r),
-                      receiver,
-                      Part::total,
-                      sobolev_illuminance(problem, plane, Metre(r)));
-        }
-    }
-    return selftest;
+    const bool is_lower = plane == SobolevPlane::one;
+    const double azimuth = 0.5 + 0.9 * in_metre(r) / h;
+    return {{foot_x * h + in_metre(r) * std::cos(azimuth),
+             foot_y * h + in_metre(r) * std::sin(azimuth),
+             is_lower ? 0.0 : h},
+            UnitVector3::from_unit({0, 0, is_lower ? 1.0 : -1.0})};
 }
-
-} // namespace
 
 std::vector<SelftestCase> make_sobolev_cases() {
     return {make_sobolev({0.5, 0.5, Metre(1.0), Metre(0.5), Lumen(10000.0)}),

@@ -22,7 +22,8 @@ void add_calculation_options(CLI::App& verb, CalculationOptions& options) {
         ->type_name("SHARE");
     verb.add_option("--estimator",
                     options.estimator,
-                    "How reflected light is calculated: auto, local, mis or path-tracing")
+                    "How reflected light is calculated: auto, mis, path-tracing, local, "
+                    "head, bounded, bidirectional")
         ->type_name("NAME");
     verb.add_option("--seed", options.seed, "Seed of the random numbers")->type_name("N");
     verb.add_option("--threads", options.threads, "Threads to use (default: all)")

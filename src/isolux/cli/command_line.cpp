@@ -30,6 +30,7 @@ constexpr std::array verbs{
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},
     Verb{"report", add_report},
+    Verb{"experiment", add_experiment},
     Verb{"schema", add_schema},
     Verb{"photometry", add_photometry},
 };

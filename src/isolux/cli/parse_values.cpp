@@ -1,14 +1,15 @@
 #include "isolux/cli/parse_values.h"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "isolux/base/error.h"
 #include "isolux/cli/suggest.h"
@@ -116,30 +117,17 @@ std::uint64_t parse_count(std::string_view option,
 }
 
 Estimator parse_estimator(std::string_view option, std::string_view text) {
-    // The short names of the command line, then the long ones of the project file.
-    const std::array<std::string, 7> names{"auto",
-                                           "local",
-                                           "mis",
-                                           "path-tracing",
-                                           "automatic",
-                                           "local-estimation",
-                                           "local-estimation-mis"};
-    constexpr std::array values{Estimator::automatic,
-                                Estimator::local_estimation,
-                                Estimator::local_estimation_mis,
-                                Estimator::path_tracing,
-                                Estimator::automatic,
-                                Estimator::local_estimation,
-                                Estimator::local_estimation_mis};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (text == names[i])
-            return values[i];
+    std::vector<std::string> names;
+    for (const EstimatorName& name : estimator_names) {
+        if (text == name.on_command_line || text == name.in_project)
+            return name.estimator;
+        names.emplace_back(name.on_command_line);
     }
     const auto similar = find_similar(text, names);
     throw InputError(std::string(option),
                      fmt::format("'{}' is not an estimator", text),
                      similar ? fmt::format("Did you mean {}?", *similar)
-                             : "Known are auto, local, mis and path-tracing");
+                             : fmt::format("Known are {}", fmt::join(names, ", ")));
 }
 
 } // namespace isolux

@@ -23,7 +23,7 @@ namespace isolux {
                                         std::uint64_t minimum,
                                         std::uint64_t maximum);
 
-/// "auto", "local", "mis" or "path-tracing", or the names of the project file.
+/// "auto", "local", "mis", ... or the names of the project file: `estimator_names`.
 [[nodiscard]] Estimator parse_estimator(std::string_view option, std::string_view text);
 
 /// All of `text` as a finite number, blanks around it ignored; NaN if it is not one. The

@@ -100,7 +100,8 @@ to_report(const ResultsDocument& document, const Scene& scene, const fs::path& f
     for (const Luminaire& l : scene.luminaires)
         placements.push_back(l.placement);
     std::string text = document.project_name + "\n\n" + to_summary_table(document.results)
-                       + "\n" + to_run_facts(document.results);
+                       + "\n" + to_statistics_notes(document.results)
+                       + to_run_facts(document.results);
     for (const std::string& line : describe_luminaires(scene.luminaire_types, placements))
         text += "luminaires: " + line + "\n";
     return text

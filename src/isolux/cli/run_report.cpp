@@ -27,7 +27,47 @@ std::string format_flux(double lumen) {
     return lumen < 1000.0 ? fmt::format("{:.4g}", lumen) : fmt::format("{:.0f}", lumen);
 }
 
+/// Why an error bar deserves less trust, METHODS 3.5.
+bool is_flagged(const PointResult& p) noexcept {
+    return p.suspicious_replicate || p.heavy_tail || p.near_surface;
+}
+
+/// One of the extremes whose two estimates are farther apart than an error.
+std::string extreme_note(const SurfaceResult& s,
+                         const char* what,
+                         const Estimate& split,
+                         double plug_in,
+                         double confidence) {
+    if (std::abs(plug_in - split.mean) <= split.standard_error)
+        return {};
+    return fmt::format("{}: the {} of the point means is {:.4g} lx; chosen on one half of the "
+                       "replicates and read on the other it is {} lx\n",
+                       s.surface.name,
+                       what,
+                       plug_in,
+                       format_estimate(split, confidence));
+}
+
 } // namespace
+
+std::string to_statistics_notes(const Results& results) {
+    std::string text;
+    bool is_any_flagged = false;
+    for (const SurfaceResult& s : results.surfaces) {
+        is_any_flagged = is_any_flagged || std::ranges::any_of(s.points, is_flagged);
+        if (s.points.size() < 2)
+            continue;
+        text += extreme_note(
+            s, "smallest", s.summary.minimum, s.summary.plug_in_minimum, results.confidence);
+        text += extreme_note(
+            s, "largest", s.summary.maximum, s.summary.plug_in_maximum, results.confidence);
+    }
+    if (is_any_flagged)
+        text += "* an error bar is flagged where one replicate stands apart, the replicates "
+                "have heavy tails, or another surface is within 1 mm (column flags of the "
+                ".csv)\n";
+    return text;
+}
 
 std::string format_estimate(const Estimate& e, double confidence) {
     const double half =
@@ -49,6 +89,9 @@ std::string to_summary_table(const Results& results) {
         std::string remark = s.surface.kind == IlluminanceKind::planar
                                  ? ""
                                  : std::string(quantity_name(s.surface.kind));
+        if (const auto flagged = std::ranges::count_if(s.points, is_flagged); flagged > 0)
+            remark +=
+                fmt::format("{}* {} error bars flagged", remark.empty() ? "" : ", ", flagged);
         if (!s.converged)
             remark += remark.empty() ? "not converged" : ", not converged";
         std::vector<std::string> cells{s.surface.name, fmt::format("{}", s.points.size())};

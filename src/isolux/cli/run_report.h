@@ -10,8 +10,14 @@ namespace isolux {
 /// value without doubt has four digits.
 [[nodiscard]] std::string format_estimate(const Estimate& e, double confidence);
 
-/// The table of all surfaces: points, Em, Emin, Emax, U0, Ud with their intervals.
+/// The table of all surfaces: points, Em, Emin, Emax, U0, Ud with their intervals. An asterisk
+/// marks surfaces with flagged error bars.
 [[nodiscard]] std::string to_summary_table(const Results& results);
+
+/// What to know about the error bars: extremes whose smallest (largest) point mean and split
+/// value are more than a standard error apart, METHODS 3.7, and what the asterisk says. Empty
+/// if there is nothing to tell.
+[[nodiscard]] std::string to_statistics_notes(const Results& results);
 
 /// Flux balance, time, rays and paths, one line each.
 [[nodiscard]] std::string to_run_facts(const Results& results);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -85,7 +86,9 @@ void read_settings(const JsonNode& node, Settings& settings) {
                              "time_limit",
                              "seed",
                              "statement",
+                             "stopping",
                              "estimator",
+                             "photometer_head_radius",
                              "direct_only",
                              "contributions",
                              "sensitivities"});
@@ -108,11 +111,18 @@ void read_settings(const JsonNode& node, Settings& settings) {
         constexpr std::array<std::string_view, 2> words{"per point", "all points"};
         settings.statement = static_cast<Statement>(read_choice(*given, words).value_or(0));
     }
-    if (const std::optional<JsonNode> given = object.find("estimator")) {
-        constexpr std::array<std::string_view, 4> words{
-            "automatic", "local-estimation", "local-estimation-mis", "path-tracing"};
-        settings.estimator = static_cast<Estimator>(read_choice(*given, words).value_or(0));
+    if (const std::optional<JsonNode> given = object.find("stopping")) {
+        constexpr std::array<std::string_view, 2> words{"doubling", "two stages"};
+        settings.stopping = static_cast<Stopping>(read_choice(*given, words).value_or(0));
     }
+    if (const std::optional<JsonNode> given = object.find("estimator")) {
+        std::array<std::string_view, estimator_names.size()> words;
+        std::ranges::transform(
+            estimator_names, words.begin(), [](const auto& name) { return name.in_project; });
+        settings.estimator = estimator_names[read_choice(*given, words).value_or(0)].estimator;
+    }
+    settings.photometer_head_radius = object.number(
+        "photometer_head_radius", {1e-4, 1.0, false, " m"}, settings.photometer_head_radius);
     settings.direct_only = object.boolean("direct_only", settings.direct_only);
     if (const std::optional<JsonNode> given = object.find("contributions")) {
         constexpr std::array<std::string_view, 4> words{

@@ -13,12 +13,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Roulette never lets a path survive with less than this (METHODS "Roulette").
-constexpr double least_survival = 0.05;
-
-/// ... nor more: a path between perfect mirrors ends as well.
-constexpr double most_survival = 0.999;
-
 /// Density of the first vertex, METHODS eq. (11) for k = 2: that of emitting towards it, over
 /// that of finding the same emission point from it; times the cosine over d2 it is an area
 /// density.
@@ -41,7 +35,8 @@ FluxTally walk_light_path(const Scene& scene,
                           const Emission& emission,
                           const PathRandomness& random,
                           std::uint64_t path,
-                          std::vector<PathVertex>& vertices) {
+                          std::vector<PathVertex>& vertices,
+                          const Roulette& roulette) {
     using D = PathDimension;
     FluxTally tally;
 
@@ -91,7 +86,7 @@ FluxTally walk_light_path(const Scene& scene,
         const double survival =
             event.is_pane
                 ? albedo
-                : std::clamp(albedo * carried / alpha_1, least_survival, most_survival);
+                : std::clamp(albedo * carried / alpha_1, roulette.least, roulette.most);
 
         // Keep the vertex; only its diffuse part connects.
         if (diffuse > 0.0) {

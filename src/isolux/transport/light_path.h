@@ -35,12 +35,20 @@ struct FluxTally {
     std::uint64_t rays = 0;
 };
 
+/// The bounds of a path's chance to go on, METHODS "Roulette". Any values leave the mean as it
+/// is; they trade time for variance.
+struct Roulette {
+    double least = 0.05;
+    double most = 0.999; ///< below 1: a path between perfect mirrors ends as well
+};
+
 /// Walks light path `path` of a replicate, METHODS "The Markov chain". Vertices are appended to
 /// `vertices`. @return where its flux went
 FluxTally walk_light_path(const Scene& scene,
                           const Emission& emission,
                           const PathRandomness& random,
                           std::uint64_t path,
-                          std::vector<PathVertex>& vertices);
+                          std::vector<PathVertex>& vertices,
+                          const Roulette& roulette = {});
 
 } // namespace isolux

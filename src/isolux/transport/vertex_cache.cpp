@@ -143,7 +143,8 @@ VertexCache build_vertex_cache(const Scene& scene,
                                const PathRandomness& random,
                                std::uint64_t first,
                                std::size_t count,
-                               const EffectiveCounts& counts) {
+                               const EffectiveCounts& counts,
+                               const Roulette& roulette) {
     VertexCache cache;
     cache.paths = count;
     cache.centre = midpoint(scene.bounds.lower, scene.bounds.upper);
@@ -158,7 +159,8 @@ VertexCache build_vertex_cache(const Scene& scene,
         slots[t].reserve(4 * paths_per_task);
         const std::size_t end = std::min(count, (t + 1) * paths_per_task);
         for (std::size_t i = t * paths_per_task; i < end; ++i) {
-            const FluxTally f = walk_light_path(scene, emission, random, first + i, slots[t]);
+            const FluxTally f =
+                walk_light_path(scene, emission, random, first + i, slots[t], roulette);
             tallies[t].absorbed += f.absorbed;
             tallies[t].escaped += f.escaped;
             tallies[t].rays += f.rays;

@@ -53,6 +53,7 @@ template <class F> void visit_chain(const VertexCache& cache, std::size_t vertex
                                              const PathRandomness& random,
                                              std::uint64_t first,
                                              std::size_t count,
-                                             const EffectiveCounts& counts);
+                                             const EffectiveCounts& counts,
+                                             const Roulette& roulette = {});
 
 } // namespace isolux

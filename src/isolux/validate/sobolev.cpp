@@ -95,6 +95,33 @@ Lux sobolev_illuminance(const SobolevProblem& problem, SobolevPlane plane, Metre
     return sobolev_direct(problem, plane, r) + sobolev_indirect(problem, plane, r);
 }
 
+Lux sobolev_indirect_ring(const SobolevProblem& problem,
+                          SobolevPlane plane,
+                          Metre inner,
+                          Metre outer) {
+    ISOLUX_EXPECT(inner.value() >= 0.0 && inner < outer);
+    using Rule = boost::math::quadrature::gauss<double, 10>;
+    const auto f = [&](double r) {
+        return r * in_lux(sobolev_indirect(problem, plane, Metre(r)));
+    };
+    const double a = in_metre(inner);
+    const double b = in_metre(outer);
+    return Lux(2.0 * Rule::integrate(f, a, b) / (b * b - a * a));
+}
+
+Lux sobolev_direct_ring(const SobolevProblem& problem,
+                        SobolevPlane plane,
+                        Metre inner,
+                        Metre outer) noexcept {
+    const View v = view_from(problem, plane);
+    const double a = inner / problem.separation;
+    const double b = outer / problem.separation;
+    // The flux through a disc is Phi/2 (1 - h/sqrt(h^2 + r^2)); the ring's is the difference.
+    const double flux =
+        2.0 * pi * v.near * (1.0 / std::hypot(v.near, a) - 1.0 / std::hypot(v.near, b));
+    return Lux(candela_per_square_metre_of(problem) * flux / (pi * (b * b - a * a)));
+}
+
 Lumen sobolev_flux(const SobolevProblem& problem, SobolevPlane plane) noexcept {
     const View v = view_from(problem, plane);
     return Lumen(0.5 * in_lumen(problem.flux) * (1.0 + v.other) / (1.0 - v.own * v.other));

@@ -34,6 +34,21 @@ sobolev_direct(const SobolevProblem& problem, SobolevPlane plane, Metre r) noexc
 [[nodiscard]] Lux
 sobolev_illuminance(const SobolevProblem& problem, SobolevPlane plane, Metre r);
 
+/// Mean of the reflected illuminance over the ring inner <= r <= outer around the foot of the
+/// source (a disc if `inner` is 0): (2 / (outer^2 - inner^2)) times the integral of E(r) r dr.
+/// Relative error below 1e-7 for rings narrower than two separations.
+/// @pre 0 <= inner < outer
+[[nodiscard]] Lux sobolev_indirect_ring(const SobolevProblem& problem,
+                                        SobolevPlane plane,
+                                        Metre inner,
+                                        Metre outer);
+
+/// The same for the light that comes straight from the source; in closed form.
+[[nodiscard]] Lux sobolev_direct_ring(const SobolevProblem& problem,
+                                      SobolevPlane plane,
+                                      Metre inner,
+                                      Metre outer) noexcept;
+
 /// Flux that arrives on the whole of a plane, all reflections counted:
 /// (flux/2) (1 + rho_other)/(1 - rho1 rho2).
 [[nodiscard]] Lumen sobolev_flux(const SobolevProblem& problem, SobolevPlane plane) noexcept;

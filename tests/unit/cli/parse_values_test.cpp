@@ -92,14 +92,18 @@ TEST(ParseEstimator, KnowsShortAndLongNames) {
     EXPECT_EQ(parse_estimator("--estimator", "local-estimation"), Estimator::local_estimation);
     EXPECT_EQ(parse_estimator("--estimator", "local-estimation-mis"),
               Estimator::local_estimation_mis);
+    EXPECT_EQ(parse_estimator("--estimator", "head"), Estimator::photometer_head);
+    EXPECT_EQ(parse_estimator("--estimator", "photometer-head"), Estimator::photometer_head);
+    EXPECT_EQ(parse_estimator("--estimator", "bounded"), Estimator::bounded);
+    EXPECT_EQ(parse_estimator("--estimator", "bidirectional"), Estimator::bidirectional);
 }
 
 TEST(ParseEstimator, SuggestsTheNearestName) {
     EXPECT_EQ(message_of([] { (void)parse_estimator("--estimator", "path"); }),
               "--estimator: 'path' is not an estimator. Did you mean path-tracing?");
     EXPECT_EQ(message_of([] { (void)parse_estimator("--estimator", "radiosity"); }),
-              "--estimator: 'radiosity' is not an estimator. Known are auto, local, mis and "
-              "path-tracing");
+              "--estimator: 'radiosity' is not an estimator. Known are auto, local, mis, "
+              "path-tracing, head, bounded, bidirectional");
 }
 
 TEST(ParseNumber, TakesFiniteDecimalNumbersOnly) {
