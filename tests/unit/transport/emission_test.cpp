@@ -121,7 +121,8 @@ TEST_P(TableDirections, HaveTheFluxOfAFineQuadrature) {
         for (std::size_t j = 0; j + 1 < table.gammas().size(); ++j) {
             const double g0 = table.gammas()[j].in_radians();
             const double g1 = table.gammas()[j + 1].in_radians();
-            const double dc = table.planes()[i + 1].in_radians() - table.planes()[i].in_radians();
+            const double dc =
+                table.planes()[i + 1].in_radians() - table.planes()[i].in_radians();
             constexpr int n = 4000;
             for (int k = 0; k < n; ++k) {
                 const double t = (k + 0.5) / n;
