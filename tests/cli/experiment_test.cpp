@@ -35,8 +35,8 @@ TEST(ExperimentVerb, ComparesEveryMethodWithTheSeries) {
     EXPECT_EQ(j["places"].size(), 6U);
     ASSERT_EQ(j["methods"].size(), 7U);
     for (const auto& method : j["methods"]) {
-        // Each is right within its own errors: six places, two-sided 2e-9 a place.
-        EXPECT_LT(method["worst_z"].get<double>(), 11.0) << method["name"];
+        // Each is right within its own errors: two-sided 2e-9 a place, 15 degrees of freedom.
+        EXPECT_LT(method["worst_z"].get<double>(), 12.7) << method["name"];
         EXPECT_GT(method["cpu_seconds_to_1_percent"].get<double>(), 0.0) << method["name"];
         EXPECT_EQ(method["values"].size(), 6U);
     }

@@ -70,8 +70,7 @@ Results run(const Scene& scene,
 }
 
 /// Doubles the work until the next doubling would exceed `seconds`.
-template <class Keep>
-std::size_t double_until(double seconds, Keep&& keep) {
+template <class Keep> std::size_t double_until(double seconds, Keep&& keep) {
     for (std::size_t units = 1;; units *= 2)
         if (2.0 * keep(units) > seconds || units >= most_units)
             return units;
@@ -190,11 +189,8 @@ RoomBench measure_room(const std::string& name,
     tell("long run to compare with");
     std::vector<Estimate> reference;
     double_until(settings.reference_seconds, [&](std::size_t units) {
-        const Results r = run(scene,
-                              surfaces,
-                              Estimator::automatic,
-                              units,
-                              settings.seed + reference_seed_step);
+        const Results r = run(
+            scene, surfaces, Estimator::automatic, units, settings.seed + reference_seed_step);
         reference = values_of(r);
         room.reference_seconds = r.cpu_seconds;
         return r.cpu_seconds;

@@ -161,8 +161,8 @@ private:
 
     ScalingRow
     scale(std::size_t columns, std::size_t rows, std::size_t panels_x, std::size_t panels_y) {
-        line_.show(fmt::format(
-            "{} points, {} luminaires", columns * rows, panels_x * panels_y));
+        line_.show(
+            fmt::format("{} points, {} luminaires", columns * rows, panels_x * panels_y));
         BenchRoom room = make_empty_bench_room(columns, rows, panels_x, panels_y);
         return measure_scaling(
             build_scene(std::move(room.scene)), room.surfaces, report_.settings.seed);

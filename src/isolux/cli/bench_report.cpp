@@ -112,15 +112,15 @@ std::string scaling_text(const std::string& title, const std::vector<ScalingRow>
                      {"CPU s to 1 %", Align::right},
                      {"us a point", Align::right}});
     for (const ScalingRow& r : rows)
-        table.add_row({fmt::format("{}", r.points),
-                       fmt::format("{}", r.luminaires),
-                       fmt::format("{:.3g}", r.cpu_seconds),
-                       fmt::format("{:.2g}", 100.0 * r.stated_error),
-                       fmt::format("{:.3g}", r.seconds_to_1_percent),
-                       fmt::format("{:.3g}",
-                                   1e6 * r.seconds_to_1_percent
-                                       / static_cast<double>(std::max<std::size_t>(
-                                           1, r.points)))});
+        table.add_row(
+            {fmt::format("{}", r.points),
+             fmt::format("{}", r.luminaires),
+             fmt::format("{:.3g}", r.cpu_seconds),
+             fmt::format("{:.2g}", 100.0 * r.stated_error),
+             fmt::format("{:.3g}", r.seconds_to_1_percent),
+             fmt::format("{:.3g}",
+                         1e6 * r.seconds_to_1_percent
+                             / static_cast<double>(std::max<std::size_t>(1, r.points)))});
     return title + "\n\n" + table.text();
 }
 

@@ -31,6 +31,7 @@ constexpr std::array verbs{
     Verb{"reference", add_reference},
     Verb{"report", add_report},
     Verb{"experiment", add_experiment},
+    Verb{"bench", add_bench},
     Verb{"schema", add_schema},
     Verb{"photometry", add_photometry},
 };

@@ -29,6 +29,7 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] Action add_reference(CLI::App& verb);
 [[nodiscard]] Action add_report(CLI::App& verb);
 [[nodiscard]] Action add_experiment(CLI::App& verb);
+[[nodiscard]] Action add_bench(CLI::App& verb);
 [[nodiscard]] Action add_schema(CLI::App& verb);
 [[nodiscard]] Action add_photometry(CLI::App& verb);
 
