@@ -110,7 +110,7 @@ TEST(Stopping, IntervalsOfRunsThatStoppedByThemselvesHoldTheTruth) {
     constexpr double rho = 0.6;
     const Scene scene = test::furnace(rho).build();
     CalculationSurface surface;
-    surface.receivers = test::furnace_points(4);
+    surface.receivers = test::furnace_points(3);
     const double exact = test::furnace_exitance / (1.0 - rho);
     constexpr std::size_t runs = 400;
     std::vector<std::size_t> covered(surface.receivers.size(), 0);
@@ -118,12 +118,12 @@ TEST(Stopping, IntervalsOfRunsThatStoppedByThemselvesHoldTheTruth) {
     for (std::uint64_t seed = 1; seed <= runs; ++seed) {
         Settings settings;
         settings.seed = seed;
-        settings.tolerance = 0.02;
+        settings.tolerance = 0.05;
         const Results r = calculate(scene, {&surface, 1}, settings);
         for (std::size_t p = 0; p < covered.size(); ++p) {
             const Estimate e = r.surfaces.front().points[p].total;
             covered[p] += confidence_interval(e, 0.95).contains(exact) ? 1U : 0U;
-            kept[p] += std::abs(e.mean - exact) <= 0.02 * e.mean ? 1U : 0U;
+            kept[p] += std::abs(e.mean - exact) <= 0.05 * e.mean ? 1U : 0U;
         }
     }
     for (std::size_t p = 0; p < covered.size(); ++p) {
