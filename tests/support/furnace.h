@@ -3,6 +3,8 @@
 #include <random>
 #include <vector>
 
+#include "isolux/base/receiver.h"
+
 #include "support/test_scene.h"
 
 namespace isolux::test {
