@@ -106,7 +106,7 @@ const Malformed settings[] = {
     {"PhotometerHeadOfNoSize",
      "settings",
      R"({"photometer_head_radius": 0})",
-     "#/settings/photometer_head_radius: 0 m is not allowed here (0.0001 to 1 m)",
+     "#/settings/photometer_head_radius: 0 is too small (it must be at least 0.0001 m)",
      shape},
     {"DirectOnlyText",
      "settings",
