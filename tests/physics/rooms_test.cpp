@@ -41,7 +41,7 @@ TEST(Corner, IsExactFromAMillimetreToHalfAMetreFromABrightWall) {
     for (const double h : {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 0.5})
         points.push_back({{h, 1.1, 0.0}, up});
     const double exact = test::furnace_exitance / (1.0 - rho);
-    const auto s = test::sample(scene, points, Estimator::automatic, 4, 51);
+    const auto s = test::sample(scene, points, Estimator::automatic, 16, 51);
     for (std::size_t p = 0; p < points.size(); ++p) {
         const Estimate e = s.point(p);
         EXPECT_LT(std::abs(z_score(e, exact)), z_limit)
