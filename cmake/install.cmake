@@ -1,5 +1,5 @@
 # Install, export and Debian packages: libisolux (the library where it is shared), isolux-dev
-# (headers, CMake files), isolux (the command, its schemas, luminaires and example projects).
+# (headers, CMake files), isolux (the command, its schemas, standards, luminaires and example projects).
 include(CMakePackageConfigHelpers)
 
 set(ISOLUX_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/isolux)
@@ -31,7 +31,7 @@ install(FILES ${PROJECT_BINARY_DIR}/isolux-config.cmake
 if(TARGET isolux_cli)
   install(TARGETS isolux_cli RUNTIME COMPONENT isolux)
 endif()
-foreach(folder luminaires projects schema)
+foreach(folder luminaires projects schema standards)
   if(EXISTS ${PROJECT_SOURCE_DIR}/${folder})
     install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/isolux COMPONENT isolux
             PATTERN generate EXCLUDE PATTERN CMakeLists.txt EXCLUDE)

@@ -18,12 +18,19 @@ TEST(SchemaVerb, PrintsTheResultsSchema) {
     EXPECT_EQ(ran.out, read_text(ISOLUX_SOURCE_DIR "/schema/results.schema.json"));
 }
 
+TEST(SchemaVerb, PrintsTheSchemaOfStandards) {
+    const Ran ran = run_program({"schema", "standard"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(ran.out, read_text(ISOLUX_SOURCE_DIR "/schema/standard.schema.json"));
+}
+
 TEST(SchemaVerb, ListsSchemasToWhoeverWantsAnother) {
     const Ran ran = run_program({"schema", "luminaire"});
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_EQ(ran.err,
-              "error: isolux schema: there is no schema 'luminaire'. Known are project and "
-              "results\n");
+    EXPECT_EQ(
+        ran.err,
+        "error: isolux schema: there is no schema 'luminaire'. Known are project, results, "
+        "standard\n");
 }
 
 TEST(SchemaVerb, SuggestsTheSchemaThatWasMeant) {

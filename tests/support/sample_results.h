@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,58 @@ inline SurfaceResult make_surface_result(CalculationSurface surface, std::uint64
     }
     s.summary = summarise(s.replicates);
     return s;
+}
+
+/// A verdict, a rating and a room's power of every form there is.
+inline void add_decisions(Results& r) {
+    Verdict pass;
+    pass.requirement = {"EN 1:2021",
+                        "34.2",
+                        "5; 7",
+                        "writing",
+                        "Em",
+                        "mean",
+                        {},
+                        {},
+                        {},
+                        {},
+                        {},
+                        500.0,
+                        "lx",
+                        false,
+                        "seen",
+                        false};
+    pass.subject = "office/work \"plane\", 1";
+    pass.value = {510.0, 2.0, 16};
+    pass.interval = {504.0, 516.0};
+    decide(pass);
+    Verdict none = pass;
+    none.requirement.symbol = "Ra";
+    none.requirement.quantity = RequiredQuantity::colour_rendering;
+    none.requirement.area = RequiredArea::luminaires;
+    none.requirement.is_recalled = true;
+    none.requirement.is_recommendation = true;
+    none.decision = Decision::not_judged;
+    none.reason = "not stated";
+    none.value = {};
+    none.interval = {};
+    none.margin = none.least_margin = 0.0;
+    r.verdicts = {pass, none};
+    const Estimate half{0.5, 0.01, 16};
+    r.modelling = {{1, 0, {half, half}, half, {0.4, 0.01, 16}, {0.6, 0.02, 16}}};
+    ObserverGroupResult o;
+    o.group.name = "desk";
+    o.group.room = "office";
+    const UnitVector3 east = UnitVector3::from_unit({1, 0, 0});
+    o.group.sight_lines = {{{1, 2, 1.2}, east}, {{1, 2, 1.2}, -east}};
+    o.ratings = {{{18.25, 0.05, 16}, {30.0, 0.1, 16}, 12345.5, 9, ""},
+                 {{}, {}, 0.0, 0, "no luminaire is in sight"}};
+    o.worst = 0;
+    o.by_table = 18.5;
+    o.table_note = "table method: room 4H x 8H";
+    r.observers = {o};
+    r.energy = {{"office", 24.0, 216.0, "", 9.0, "work plane", {1.8, 0.01, 16}, 12.5},
+                {"store", 4.0, std::nullopt, "not stated", 0.0, "", {}, std::nullopt}};
 }
 
 inline Results make_results() {
@@ -68,6 +121,8 @@ inline Results make_results() {
     r.paths = 65536;
     r.estimator = "local estimation";
     r.confidence = 0.97;
+    r.looks = 2;
+    add_decisions(r);
     r.notices = {{"p.json#/luminaires/2", "outside every room", "Move it in?"},
                  {"", "slow", ""}};
     return r;

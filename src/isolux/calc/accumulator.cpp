@@ -62,6 +62,7 @@ SurfaceResult Accumulator::surface_result(const CalculationSurface& surface,
     const std::size_t n = surface.receivers.size();
     result.points.resize(n);
     result.replicates = {replicates_, n, std::vector<double>(replicates_ * n)};
+    result.direct = result.replicates;
     std::vector<double> d(replicates_), i(replicates_), t(replicates_);
     std::size_t point = 0;
     for (const Tile& tile : tiles_) {
@@ -76,8 +77,10 @@ SurfaceResult Accumulator::surface_result(const CalculationSurface& surface,
             const ReplicateFlags flags = flag_replicates(t);
             out.suspicious_replicate = flags.suspicious_replicate;
             out.heavy_tail = flags.heavy_tail;
-            for (std::size_t r = 0; r < replicates_; ++r)
+            for (std::size_t r = 0; r < replicates_; ++r) {
                 result.replicates.values[r * n + point] = t[r];
+                result.direct.values[r * n + point] = d[r];
+            }
         }
     }
     if (n > 0 && replicates_ > 0)

@@ -60,6 +60,7 @@ public:
             }
             if (interrupted_)
                 break;
+            looks_ = check + 1;
             if (close_tiles(check) || settings_.fixed_units)
                 break;
             engine_.adapt(active_receivers());
@@ -323,6 +324,7 @@ private:
         results.cpu_seconds = cpu_seconds() - cpu_start_;
         results.replicates = sums_.replicates();
         results.units = units;
+        results.looks = std::max<std::size_t>(1, looks_);
         results.paths = paths_;
         results.estimator = engine_.describe();
         results.notices = engine_.notices();
@@ -356,6 +358,7 @@ private:
     std::uint64_t paths_ = 0;
     std::size_t work_done_ = 0; ///< tile units
     std::size_t expected_ = 0;
+    std::size_t looks_ = 0;
     double worst_ = 0.0;
     bool interrupted_ = false;
 };

@@ -10,6 +10,9 @@
 
 #include "isolux/base/error.h"
 #include "isolux/calc/contributions.h"
+#include "isolux/measure/energy.h"
+#include "isolux/measure/glare.h"
+#include "isolux/measure/requirement.h"
 #include "isolux/measure/surface_grid.h"
 #include "isolux/scene/scene.h"
 
@@ -86,6 +89,52 @@ struct InputFile {
     friend bool operator==(const InputFile&, const InputFile&) = default;
 };
 
+/// A maintenance factor and the parts it was given in; each part is 1 where none is given.
+struct MaintenanceFactor {
+    double value = 1.0;
+    bool has_parts = false;
+    double lamp_flux = 1.0;     ///< LLMF
+    double lamp_survival = 1.0; ///< LSF
+    double luminaire = 1.0;     ///< LMF
+    double room_surface = 1.0;  ///< RSMF
+};
+
+/// One luminaire type of the project and how many of it hang.
+struct ScheduleEntry {
+    std::string type;
+    std::string file; ///< as the project names it; empty without a file
+    std::string manufacturer;
+    std::string product;
+    std::size_t count = 0;
+    double flux = 0.0; ///< lm, initial, of one luminaire
+    std::optional<double> watts;
+    std::optional<double> colour_rendering; ///< Ra
+    MaintenanceFactor maintenance;
+};
+
+/// A requirement and what it is asked of.
+struct ProjectRequirement {
+    Requirement requirement;
+    std::string subject;                ///< surface, observers or room, by name
+    std::optional<std::size_t> surface; ///< in Project::surfaces
+    std::string reason;                 ///< why nothing can be judged; empty otherwise
+    std::optional<std::size_t> observers = std::nullopt; ///< in Project::observers
+};
+
+/// A named state of the luminaires.
+struct LightScene {
+    std::string name;
+    std::vector<double> factors; ///< by luminaire: its light over that of the project as it is
+};
+
+/// A room as energy sees it.
+struct EnergyZone {
+    std::string room;
+    double floor_area = 0.0;                 ///< m2, without columns
+    std::vector<std::size_t> luminaires;     ///< those that hang in it
+    std::optional<std::size_t> work_surface; ///< horizontal, for W/(m2 100 lx)
+};
+
 /// A whole task, files read and placements expanded.
 struct Project {
     std::string name;
@@ -95,6 +144,14 @@ struct Project {
     SceneDescription scene;
     std::vector<CalculationSurface> surfaces;
     std::vector<std::string> length_aligned; ///< luminaire types laid along x on demand, names
+    std::vector<ProjectRequirement> requirements;
+    std::vector<ScheduleEntry> schedule; ///< as scene.luminaire_types
+    std::vector<ObserverGroup> observers;
+    std::vector<EnergyZone> energy_zones;
+    std::optional<EnergyUse> energy_use; ///< absent: no LENI
+    std::vector<LightScene> scenes;
+    std::vector<double>
+        glare_factors; ///< k2 of CIE 232, as scene.luminaire_types; 1 if unknown
     Settings settings;
     std::vector<Message> notices;
 };

@@ -9,7 +9,10 @@
 #include "isolux/base/estimate.h"
 #include "isolux/calc/contributions.h"
 #include "isolux/calc/sensitivities.h"
+#include "isolux/measure/energy.h"
+#include "isolux/measure/glare.h"
 #include "isolux/measure/grid_statistics.h"
+#include "isolux/measure/requirement.h"
 #include "isolux/measure/surface_grid.h"
 
 namespace isolux {
@@ -30,6 +33,26 @@ struct SurfaceResult {
     ReplicateTable replicates;       ///< total illuminance
     SurfaceSummary summary;
     bool converged = false;
+    ReplicateTable direct = {}; ///< direct part of `replicates`; empty where it is not known
+};
+
+/// Ez / Eh where a surface of cylindrical illuminance and a horizontal one share their points.
+struct ModellingResult {
+    std::size_t cylindrical = 0; ///< surface
+    std::size_t horizontal = 0;  ///< surface
+    std::vector<Estimate> points;
+    Estimate mean; ///< of the points' ratios
+    Estimate minimum;
+    Estimate maximum;
+};
+
+/// A light scene, recombined from the contributions of the luminaires.
+struct SceneResult {
+    std::string name;
+    std::vector<double> factors;          ///< by luminaire
+    std::vector<SurfaceSummary> surfaces; ///< as Results::surfaces
+    std::optional<double> watts;
+    std::vector<Verdict> verdicts; ///< those that illuminances decide
 };
 
 /// Luminous flux in, flux out, lm.
@@ -48,6 +71,11 @@ struct RayCounts {
 
 struct Results {
     std::vector<SurfaceResult> surfaces;
+    std::vector<ModellingResult> modelling;
+    std::vector<Verdict> verdicts; ///< as Project::requirements
+    std::vector<ObserverGroupResult> observers;
+    std::vector<EnergyResult> energy;
+    std::vector<SceneResult> scenes;
     FluxBalance flux_balance;
     RayCounts rays;
     double wall_seconds = 0.0;
@@ -56,6 +84,7 @@ struct Results {
     bool interrupted = false; ///< stopped by the user or by the time limit
     std::uint64_t replicates = 0;
     std::uint64_t units = 0; ///< complete units of work; a closed tile took part in fewer
+    std::uint64_t looks = 1; ///< how often the intervals were looked at before stopping
     std::uint64_t paths = 0; ///< light paths walked in all
     std::string estimator;   ///< in words, as printed in the report
     double confidence =

@@ -34,6 +34,9 @@ constexpr std::array verbs{
     Verb{"bench", add_bench},
     Verb{"schema", add_schema},
     Verb{"photometry", add_photometry},
+    Verb{"standards", add_standards},
+    Verb{"diff", add_diff},
+    Verb{"scenes", add_scenes},
 };
 
 constexpr const char* top_level_footer = R"(

@@ -9,7 +9,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include "isolux/calc/calculate.h"
+#include "isolux/calc/calculate_project.h"
 #include "isolux/calc/long_side.h"
 #include "isolux/cli/calculation_options.h"
 #include "isolux/cli/console.h"
@@ -18,9 +18,11 @@
 #include "isolux/cli/run_report.h"
 #include "isolux/cli/terminal.h"
 #include "isolux/cli/verbs.h"
+#include "isolux/cli/verdict_report.h"
 #include "isolux/io/file_name.h"
 #include "isolux/io/results_json.h"
 #include "isolux/io/safe_file.h"
+#include "isolux/io/xlsx.h"
 #include "isolux/report/report_files.h"
 #include "isolux/viz/map.h"
 #include "isolux/viz/vtk_export.h"
@@ -101,11 +103,12 @@ to_report(const ResultsDocument& document, const Scene& scene, const fs::path& f
         placements.push_back(l.placement);
     std::string text = document.project_name + "\n\n" + to_summary_table(document.results)
                        + "\n" + to_statistics_notes(document.results)
-                       + to_run_facts(document.results);
+                       + to_observer_table(document.results) + to_energy_table(document.results)
+                       + to_verdict_table(document.results) + to_run_facts(document.results);
     for (const std::string& line : describe_luminaires(scene.luminaire_types, placements))
         text += "luminaires: " + line + "\n";
     return text
-           + fmt::format("results: {} (results.json, .csv, .vtp), maps and plan: {}\n"
+           + fmt::format("results: {} (results.json, .xlsx, .csv, .vtp), maps and plan: {}\n"
                          "report: {}, {}\n",
                          folder.string(),
                          (folder / "maps").string(),
@@ -131,10 +134,10 @@ ExitCode run_project(const RunOptions& options) {
 
     const Scene scene = build_scene(std::move(project.scene));
     ProgressLine line(!options.is_quiet && is_progress_wanted());
-    Results results = calculate(scene,
-                                project.surfaces,
-                                settings,
-                                {interrupt.token(), [&](const Progress& p) { line.show(p); }});
+    Results results =
+        calculate_project(scene, project, settings, {interrupt.token(), [&](const Progress& p) {
+                                                         line.show(p);
+                                                     }});
     line.clear();
     const bool is_by_user = results.interrupted && interrupt.is_interrupted();
     note_early_end(results, is_by_user, settings);
@@ -143,6 +146,7 @@ ExitCode run_project(const RunOptions& options) {
     mark_aligned(document.plan, project.length_aligned);
     document.date = date_in_words();
     write_results(folder, document);
+    write_xlsx(folder / "results.xlsx", document);
     write_vtk(folder, scene, document.results);
     write_maps(folder / "maps", document);
     report::write_reports(folder, document);
@@ -160,9 +164,9 @@ ExitCode run_project(const RunOptions& options) {
 Action add_run(CLI::App& verb) {
     verb.description("Calculate everything in a project");
     verb.footer(R"(
-Writes into DIR: results.json; for each calculation surface a .csv and a .vtp (ParaView);
-room.vtp; maps/ with false-colour maps and the plan as .svg and .png; report.html and
-report.pdf. Prints a summary.
+Writes into DIR: results.json and results.xlsx; for each calculation surface a .csv and a .vtp
+(ParaView); room.vtp; maps/ with false-colour maps and the plan as .svg and .png; report.html
+and report.pdf. Prints a summary.
 
 Ctrl-C stops and writes what there is, marked as not converged; a second Ctrl-C ends at once.
 

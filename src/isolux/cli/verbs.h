@@ -32,5 +32,8 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] Action add_bench(CLI::App& verb);
 [[nodiscard]] Action add_schema(CLI::App& verb);
 [[nodiscard]] Action add_photometry(CLI::App& verb);
+[[nodiscard]] Action add_standards(CLI::App& verb);
+[[nodiscard]] Action add_diff(CLI::App& verb);
+[[nodiscard]] Action add_scenes(CLI::App& verb);
 
 } // namespace isolux

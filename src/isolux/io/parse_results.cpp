@@ -97,6 +97,155 @@ SurfaceResult to_surface(const Node& node) {
     return s;
 }
 
+template <class Word> Word to_enumerator(const Node& node) {
+    if (const std::optional<Word> word = find_word<Word>(node.text()))
+        return *word;
+    node.fail("unknown word '" + node.text() + "'");
+}
+
+Requirement to_requirement(const Node& n) {
+    return {n.at("standard").text(),
+            n.at("row").text(),
+            n.at("clause").text(),
+            n.at("task").text(),
+            n.at("symbol").text(),
+            n.at("name").text(),
+            to_enumerator<RequiredQuantity>(n.at("quantity")),
+            to_enumerator<LightShare>(n.at("light")),
+            to_enumerator<RequiredArea>(n.at("area")),
+            to_enumerator<Statistic>(n.at("statistic")),
+            to_enumerator<Sense>(n.at("sense")),
+            n.at("limit").number(),
+            n.at("unit").text(),
+            n.at("recommendation").boolean(),
+            n.at("source").text(),
+            n.at("recalled").boolean()};
+}
+
+Verdict to_verdict(const Node& n) {
+    Verdict v;
+    v.requirement = to_requirement(n);
+    v.subject = n.at("subject").text();
+    v.decision = to_enumerator<Decision>(n.at("decision"));
+    v.reason = n.at("reason").text();
+    if (v.decision == Decision::not_judged)
+        return v;
+    v.value = n.estimate();
+    v.interval = {n.at("lower").number(), n.at("upper").number()};
+    v.margin = n.at("margin").number();
+    v.least_margin = n.at("least_margin").number();
+    return v;
+}
+
+std::size_t surface_named(const Node& name, const Results& r) {
+    for (std::size_t s = 0; s < r.surfaces.size(); ++s)
+        if (r.surfaces[s].surface.name == name.text())
+            return s;
+    name.fail("there is no surface '" + name.text() + "'");
+}
+
+ModellingResult to_modelling(const Node& n, const Results& r) {
+    ModellingResult m{surface_named(n.at("cylindrical"), r),
+                      surface_named(n.at("horizontal"), r),
+                      {},
+                      n.at("mean").estimate(),
+                      n.at("minimum").estimate(),
+                      n.at("maximum").estimate()};
+    for (const Node& p : n.at("points").items())
+        m.points.push_back(p.estimate());
+    return m;
+}
+
+GlareRating to_rating(const Node& n) {
+    GlareRating g;
+    g.sources = n.at("sources").count();
+    g.source_sum = n.at("source_sum").number();
+    g.reason = n.at("reason").text();
+    if (n.find("value"))
+        g.value = n.estimate();
+    g.background = {n.at("background").number(),
+                    n.at("background_standard_error").number(),
+                    g.value.samples};
+    return g;
+}
+
+ObserverGroupResult to_observers(const Node& n) {
+    ObserverGroupResult o;
+    o.group.name = n.at("name").text();
+    o.group.scale = n.at("rating").text() == "GR" ? GlareScale::outdoor : GlareScale::unified;
+    o.group.sources =
+        n.at("sources").text() == "in table" ? GlareSources::in_table : GlareSources::in_front;
+    o.group.room = n.at("room").text();
+    if (const std::optional<Node> worst = n.find("worst"))
+        o.worst = worst->count();
+    if (const std::optional<Node> table = n.find("by_table"))
+        o.by_table = table->number();
+    o.table_note = n.at("table_note").text();
+    for (const Node& i : n.at("observers").items()) {
+        o.group.sight_lines.push_back(
+            {i.at("position").point(), i.at("direction").direction()});
+        o.ratings.push_back(to_rating(i));
+    }
+    if (o.worst && *o.worst >= o.ratings.size())
+        n.at("worst").fail("beyond the last observer");
+    return o;
+}
+
+EnergyResult to_energy(const Node& n) {
+    EnergyResult e;
+    e.room = n.at("room").text();
+    e.floor_area = n.at("floor_area").number();
+    e.reason = n.at("reason").text();
+    const std::optional<Node> watts = n.find("watts");
+    if (!watts)
+        return e;
+    e.watts = watts->number();
+    e.density = n.at("density").number();
+    e.surface = n.at("surface").text();
+    if (const std::optional<Node> per = n.find("density_per_100_lux"))
+        e.density_per_100_lux = per->estimate();
+    if (const std::optional<Node> leni = n.find("leni"))
+        e.leni = leni->number();
+    return e;
+}
+
+SceneResult to_scene(const Node& n) {
+    SceneResult scene;
+    scene.name = n.at("name").text();
+    for (const Node& f : n.at("factors").items())
+        scene.factors.push_back(f.number());
+    if (const std::optional<Node> watts = n.find("watts"))
+        scene.watts = watts->number();
+    for (const Node& s : n.at("surfaces").items())
+        scene.surfaces.push_back(to_summary(s.at("summary")));
+    for (const Node& v : n.at("verdicts").items())
+        scene.verdicts.push_back(to_verdict(v));
+    return scene;
+}
+
+ScheduleEntry to_schedule_entry(const Node& n) {
+    ScheduleEntry e;
+    e.type = n.at("type").text();
+    e.file = n.at("file").text();
+    e.manufacturer = n.at("manufacturer").text();
+    e.product = n.at("product").text();
+    e.count = n.at("count").count();
+    e.flux = n.at("flux").number();
+    if (const std::optional<Node> watts = n.find("watts"))
+        e.watts = watts->number();
+    if (const std::optional<Node> ra = n.find("colour_rendering"))
+        e.colour_rendering = ra->number();
+    e.maintenance.value = n.at("maintenance_factor").number();
+    if (const std::optional<Node> parts = n.find("maintenance_parts"))
+        e.maintenance = {e.maintenance.value,
+                         true,
+                         parts->at("LLMF").number(),
+                         parts->at("LSF").number(),
+                         parts->at("LMF").number(),
+                         parts->at("RSMF").number()};
+    return e;
+}
+
 Results to_results(const Node& root) {
     Results r;
     for (const Node& s : root.at("surfaces").items())
@@ -113,7 +262,21 @@ Results to_results(const Node& root) {
     r.interrupted = root.at("interrupted").boolean();
     r.replicates = root.at("replicates").count();
     r.units = root.at("units").count();
+    r.looks = root.at("looks").count();
     r.paths = root.at("paths").count();
+    for (const Node& v : root.at("verdicts").items())
+        r.verdicts.push_back(to_verdict(v));
+    for (const Node& m : root.at("modelling").items())
+        r.modelling.push_back(to_modelling(m, r));
+    for (const Node& o : root.at("observers").items())
+        r.observers.push_back(to_observers(o));
+    for (const Node& e : root.at("energy").items())
+        r.energy.push_back(to_energy(e));
+    for (const Node& s : root.at("scenes").items()) {
+        r.scenes.push_back(to_scene(s));
+        if (r.scenes.back().surfaces.size() != r.surfaces.size())
+            s.at("surfaces").fail("as many as the results have are needed");
+    }
     r.estimator = root.at("estimator").text();
     r.confidence = root.at("interval_confidence").number();
     for (const Node& m : root.at("notices").items())
@@ -166,6 +329,8 @@ ResultsDocument parse_results_json(std::string_view text, std::string_view sourc
         d.date = date->text();
     if (const auto installation = root.find("installation"))
         d.plan = parse_installation(*installation);
+    for (const Node& e : root.at("schedule").items())
+        d.schedule.push_back(to_schedule_entry(e));
     return d;
 }
 

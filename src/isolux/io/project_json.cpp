@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "isolux/io/project_observers.h"
 #include "isolux/io/project_reader.h"
 #include "isolux/io/schema_check.h"
 #include "isolux/io/sha256.h"
@@ -135,7 +136,8 @@ void read_everything(const JsonObject& object, ProjectReader& reader) {
         else
             static_cast<void>(read_text(*node));
     }
-    reader.maintenance_factor = object.number("maintenance_factor", {0.0, 1.0, true}, 1.0);
+    if (const std::optional<JsonNode> node = object.find("maintenance_factor"))
+        reader.maintenance = read_maintenance(*node).value_or(MaintenanceFactor{});
     reader.states_maintenance = object.has("maintenance_factor");
     if (const std::optional<JsonNode> node = object.find("settings"))
         read_settings(*node, reader.project.settings);
@@ -153,6 +155,15 @@ void read_everything(const JsonObject& object, ProjectReader& reader) {
         read_surfaces(*node, reader);
     else
         add_default_surfaces(reader);
+    for (const LuminairePlacement& l : reader.project.scene.luminaires)
+        ++reader.project.schedule[l.type.index()].count;
+    if (const std::optional<JsonNode> node = object.find("observers"))
+        read_observers(*node, reader);
+    read_requirements(object, reader);
+    if (reader.problems.errors().empty())
+        read_energy(object, reader);
+    if (const std::optional<JsonNode> node = object.find("scenes"))
+        read_scenes(*node, reader);
     if (reader.project.surfaces.empty())
         reader.problems.notice("", "no calculation surface (nothing is measured)");
 }
@@ -191,7 +202,12 @@ Project parse_project(std::string_view text, const std::filesystem::path& path) 
                              "objects",
                              "luminaire_types",
                              "luminaires",
-                             "surfaces"});
+                             "surfaces",
+                             "standards",
+                             "requirements",
+                             "observers",
+                             "energy",
+                             "scenes"});
     if (object.is_object() && check_version(object)) {
         read_everything(object, reader);
         for (const SchemaFinding& finding : check_project_schema(text))

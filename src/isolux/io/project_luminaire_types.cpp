@@ -1,4 +1,7 @@
 #include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +15,8 @@ namespace isolux {
 namespace {
 
 constexpr NumberRange any_maintenance_factor{0.0, 1.0, true};
+constexpr NumberRange any_power{0.0, 1e7, false, " W"};
+constexpr NumberRange any_colour_rendering{0.0, 100.0};
 
 std::optional<Lumen> require_flux(const JsonObject& object) {
     const std::optional<double> flux = object.require(
@@ -200,6 +205,45 @@ bool read_source(const JsonObject& object, ProjectReader& reader, LuminaireType&
     return *form == "lambertian" ? read_lambertian(node, type) : read_isotropic(node, type);
 }
 
+/// Ra from a file's words: a number, or a group of the older colour rendering classes.
+std::optional<double> colour_rendering_of(const std::string& text) {
+    constexpr std::array<std::pair<std::string_view, double>, 6> groups{
+        {{"1A", 90.0}, {"1B", 80.0}, {"2A", 70.0}, {"2B", 60.0}, {"3", 40.0}, {"4", 20.0}}};
+    for (const auto& [group, least] : groups)
+        if (text == group)
+            return least;
+    const std::size_t digit = text.find_first_of("0123456789");
+    if (digit == std::string::npos)
+        return std::nullopt;
+    double value = 0.0;
+    std::from_chars(text.data() + digit, text.data() + text.size(), value);
+    return value >= 20.0 && value <= 100.0 ? std::optional(value) : std::nullopt;
+}
+
+ScheduleEntry make_schedule_entry(const JsonObject& object,
+                                  const LuminaireType& type,
+                                  const MaintenanceFactor& maintenance) {
+    ScheduleEntry e;
+    e.type = type.name;
+    e.file = type.file;
+    e.flux = in_lumen(luminous_flux(type));
+    e.maintenance = maintenance;
+    if (const auto* photometry = std::get_if<LuminairePhotometry>(&type.source)) {
+        e.manufacturer = photometry->manufacturer;
+        e.product = photometry->name;
+        if (photometry->input_watts > 0.0)
+            e.watts = photometry->input_watts;
+        if (photometry->lamp_set < photometry->lamp_sets.size())
+            e.colour_rendering = colour_rendering_of(
+                photometry->lamp_sets[photometry->lamp_set].colour_rendering);
+    }
+    if (const std::optional<JsonNode> node = object.find("power"))
+        e.watts = read_number(*node, any_power);
+    if (const std::optional<JsonNode> node = object.find("colour_rendering"))
+        e.colour_rendering = read_number(*node, any_colour_rendering);
+    return e;
+}
+
 LuminaireTypeEntry
 read_type(const JsonNode& node, const std::string& name, ProjectReader& reader) {
     const JsonObject object(node,
@@ -214,15 +258,19 @@ read_type(const JsonNode& node, const std::string& name, ProjectReader& reader) 
                              "opening",
                              "body",
                              "colour",
-                             "align_length_axis"});
+                             "align_length_axis",
+                             "power",
+                             "colour_rendering",
+                             "glare_factor"});
     LuminaireType type;
     type.name = name;
     type.source = IsotropicSource{};
     LuminaireTypeEntry entry;
-    const double maintenance =
-        object.number("maintenance_factor", any_maintenance_factor, reader.maintenance_factor);
+    MaintenanceFactor maintenance = reader.maintenance;
+    if (const std::optional<JsonNode> own = object.find("maintenance_factor"))
+        maintenance = read_maintenance(*own).value_or(maintenance);
     reader.states_maintenance |= object.has("maintenance_factor");
-    entry.scale = maintenance * object.number("dimming", any_share, 1.0);
+    entry.scale = maintenance.value * object.number("dimming", any_share, 1.0);
     read_colour(object, type);
     const bool align = object.boolean("align_length_axis", false);
     if (!read_source(object, reader, type))
@@ -233,11 +281,30 @@ read_type(const JsonNode& node, const std::string& name, ProjectReader& reader) 
     if (align)
         reader.project.length_aligned.push_back(name);
     entry.id = LuminaireTypeId(reader.project.scene.luminaire_types.size());
+    reader.project.glare_factors.push_back(object.number("glare_factor", {1.0, 100.0}, 1.0));
+    reader.project.schedule.push_back(make_schedule_entry(object, type, maintenance));
     reader.project.scene.luminaire_types.push_back(std::move(type));
     return entry;
 }
 
 } // namespace
+
+std::optional<MaintenanceFactor> read_maintenance(const JsonNode& node) {
+    MaintenanceFactor m;
+    if (!node.is(JsonValue::Kind::object)) {
+        const std::optional<double> value = read_number(node, any_maintenance_factor);
+        m.value = value.value_or(1.0);
+        return value ? std::optional(m) : std::nullopt;
+    }
+    const JsonObject object(node, "a maintenance factor", {"LLMF", "LSF", "LMF", "RSMF"});
+    m.has_parts = true;
+    m.lamp_flux = object.number("LLMF", any_maintenance_factor, 1.0);
+    m.lamp_survival = object.number("LSF", any_maintenance_factor, 1.0);
+    m.luminaire = object.number("LMF", any_maintenance_factor, 1.0);
+    m.room_surface = object.number("RSMF", any_maintenance_factor, 1.0);
+    m.value = m.lamp_flux * m.lamp_survival * m.luminaire * m.room_surface; // METHODS eq. (107)
+    return m;
+}
 
 void read_luminaire_types(const JsonNode& node, ProjectReader& reader) {
     if (!node.is(JsonValue::Kind::object)) {

@@ -38,7 +38,7 @@ struct ProjectReader {
     MaterialTable materials;
     std::vector<RoomEntry> rooms;
     std::map<std::string, LuminaireTypeEntry> luminaire_types;
-    double maintenance_factor = 1.0;
+    MaintenanceFactor maintenance;
     bool states_maintenance = false; ///< somewhere in the file
 
     /// The file's bytes; nothing, and an error at `node`, if it cannot be read.
@@ -65,6 +65,18 @@ void read_objects(const JsonNode& node, ProjectReader& reader);
 void read_luminaire_types(const JsonNode& node, ProjectReader& reader);
 void read_luminaires(const JsonNode& node, ProjectReader& reader);
 void read_surfaces(const JsonNode& node, ProjectReader& reader);
+/// One entry of "surfaces"; nothing means the error has been reported.
+[[nodiscard]] std::optional<CalculationSurface> read_one_surface(const JsonNode& node,
+                                                                 ProjectReader& reader);
+/// "standards" and "requirements": what the project must meet. Adds the surfaces they need to
+/// the project. @pre surfaces, luminaires and rooms have been read
+void read_requirements(const JsonObject& project, ProjectReader& reader);
+/// Rooms as energy sees them, and how they are used.
+void read_energy(const JsonObject& project, ProjectReader& reader);
+/// Named states of the luminaires. @pre luminaires have been read
+void read_scenes(const JsonNode& node, ProjectReader& reader);
+/// A factor as a number, or as an object of LLMF, LSF, LMF, RSMF.
+[[nodiscard]] std::optional<MaintenanceFactor> read_maintenance(const JsonNode& node);
 /// The work plane of every room, for a project that names no surface.
 void add_default_surfaces(ProjectReader& reader);
 

@@ -209,26 +209,35 @@ private:
     std::set<std::string> names_;
 };
 
+JsonObject surface_object(const JsonNode& node) {
+    return JsonObject(node,
+                      "a surface",
+                      {"name",
+                       "work_plane",
+                       "floor",
+                       "ceiling",
+                       "wall",
+                       "rectangle",
+                       "polygon",
+                       "points",
+                       "points_file",
+                       "grid",
+                       "quantity",
+                       "direction"});
+}
+
 } // namespace
+
+std::optional<CalculationSurface> read_one_surface(const JsonNode& node,
+                                                   ProjectReader& reader) {
+    return read_surface(surface_object(node), reader.project.surfaces.size() + 1, reader);
+}
 
 void read_surfaces(const JsonNode& node, ProjectReader& reader) {
     std::vector<JsonObject> objects;
     SurfaceNames names;
     for (const JsonNode& item : read_list(node)) {
-        objects.emplace_back(item,
-                             "a surface",
-                             std::initializer_list<const char*>{"name",
-                                                                "work_plane",
-                                                                "floor",
-                                                                "ceiling",
-                                                                "wall",
-                                                                "rectangle",
-                                                                "polygon",
-                                                                "points",
-                                                                "points_file",
-                                                                "grid",
-                                                                "quantity",
-                                                                "direction"});
+        objects.push_back(surface_object(item));
         if (const std::optional<JsonNode> name = objects.back().find("name"))
             if (const std::optional<std::string> given = read_text(*name))
                 names.claim(*name, *given);

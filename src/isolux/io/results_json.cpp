@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "isolux/calc/judge.h"
 #include "isolux/io/contributions_file.h"
 #include "isolux/io/csv.h"
 #include "isolux/io/file_name.h"
@@ -98,6 +99,130 @@ Json to_json(const SurfaceResult& s, double confidence) {
     return json;
 }
 
+Json to_json(const Verdict& v) {
+    const Requirement& r = v.requirement;
+    Json json{{"standard", r.standard},
+              {"row", r.row},
+              {"clause", r.clause},
+              {"task", r.task},
+              {"symbol", r.symbol},
+              {"name", r.name},
+              {"quantity", to_word(r.quantity)},
+              {"light", to_word(r.light)},
+              {"area", to_word(r.area)},
+              {"statistic", to_word(r.statistic)},
+              {"sense", to_word(r.sense)},
+              {"limit", r.limit},
+              {"unit", r.unit},
+              {"recommendation", r.is_recommendation},
+              {"source", r.source},
+              {"recalled", r.is_recalled},
+              {"subject", v.subject},
+              {"decision", to_word(v.decision)},
+              {"reason", v.reason}};
+    if (v.decision == Decision::not_judged)
+        return json;
+    json["value"] = v.value.mean;
+    json["standard_error"] = v.value.standard_error;
+    json["lower"] = v.interval.lower;
+    json["upper"] = v.interval.upper;
+    json["replicates"] = v.value.samples;
+    json["margin"] = v.margin;
+    json["least_margin"] = v.least_margin;
+    return json;
+}
+
+Json to_json(const ModellingResult& m, const Results& r) {
+    Json json{{"cylindrical", r.surfaces[m.cylindrical].surface.name},
+              {"horizontal", r.surfaces[m.horizontal].surface.name},
+              {"mean", to_json(m.mean, r.confidence)},
+              {"minimum", to_json(m.minimum, r.confidence)},
+              {"maximum", to_json(m.maximum, r.confidence)}};
+    Json& points = json["points"] = Json::array();
+    for (const Estimate& e : m.points)
+        points.push_back(to_json(e, r.confidence));
+    return json;
+}
+
+Json to_json(const ScheduleEntry& e) {
+    Json json{{"type", e.type},
+              {"file", e.file},
+              {"manufacturer", e.manufacturer},
+              {"product", e.product},
+              {"count", e.count},
+              {"flux", e.flux}};
+    if (e.watts)
+        json["watts"] = *e.watts;
+    if (e.colour_rendering)
+        json["colour_rendering"] = *e.colour_rendering;
+    json["maintenance_factor"] = e.maintenance.value;
+    if (e.maintenance.has_parts)
+        json["maintenance_parts"] = {{"LLMF", e.maintenance.lamp_flux},
+                                     {"LSF", e.maintenance.lamp_survival},
+                                     {"LMF", e.maintenance.luminaire},
+                                     {"RSMF", e.maintenance.room_surface}};
+    return json;
+}
+
+Json to_json(const GlareRating& g, const SightLine& line, double confidence) {
+    Json json{{"sources", g.sources},
+              {"position", to_json(line.eye)},
+              {"direction", to_json(Vector3(line.direction))},
+              {"source_sum", g.source_sum},
+              {"reason", g.reason}};
+    json["background"] = g.background.mean;
+    json["background_standard_error"] = g.background.standard_error;
+    if (g.value.samples > 0)
+        json.update(to_json(g.value, confidence));
+    return json;
+}
+
+Json to_json(const ObserverGroupResult& o, double confidence) {
+    const ObserverGroup& g = o.group;
+    Json json{{"name", g.name},
+              {"rating", g.scale == GlareScale::unified ? "UGR" : "GR"},
+              {"sources", g.sources == GlareSources::in_front ? "in front" : "in table"},
+              {"room", g.room}};
+    if (o.worst)
+        json["worst"] = *o.worst;
+    if (o.by_table)
+        json["by_table"] = *o.by_table;
+    json["table_note"] = o.table_note;
+    Json& observers = json["observers"] = Json::array();
+    for (std::size_t i = 0; i < o.ratings.size(); ++i)
+        observers.push_back(to_json(o.ratings[i], g.sight_lines[i], confidence));
+    return json;
+}
+
+Json to_json(const EnergyResult& e, double confidence) {
+    Json json{{"room", e.room}, {"floor_area", e.floor_area}, {"reason", e.reason}};
+    if (!e.watts)
+        return json;
+    json["watts"] = *e.watts;
+    json["density"] = e.density;
+    json["surface"] = e.surface;
+    if (e.density_per_100_lux.samples > 0)
+        json["density_per_100_lux"] = to_json(e.density_per_100_lux, confidence);
+    if (e.leni)
+        json["leni"] = *e.leni;
+    return json;
+}
+
+Json to_json(const SceneResult& scene, const Results& r) {
+    Json json{{"name", scene.name}, {"factors", scene.factors}};
+    if (scene.watts)
+        json["watts"] = *scene.watts;
+    json["verdict"] = to_word(overall(scene.verdicts));
+    Json& surfaces = json["surfaces"] = Json::array();
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+        surfaces.push_back({{"name", r.surfaces[s].surface.name},
+                            {"summary", to_json(scene.surfaces[s], r.confidence)}});
+    Json& verdicts = json["verdicts"] = Json::array();
+    for (const Verdict& v : scene.verdicts)
+        verdicts.push_back(to_json(v));
+    return json;
+}
+
 Json to_json(const ResultsDocument& d) {
     const Results& r = d.results;
     Json json{{"isolux_results", 1}, {"version", d.version}};
@@ -118,10 +243,30 @@ Json to_json(const ResultsDocument& d) {
     json["estimator"] = r.estimator;
     json["replicates"] = r.replicates;
     json["units"] = r.units;
+    json["looks"] = r.looks;
     json["paths"] = r.paths;
+    json["verdict"] = to_word(overall(r.verdicts));
+    Json& verdicts = json["verdicts"] = Json::array();
+    for (const Verdict& v : r.verdicts)
+        verdicts.push_back(to_json(v));
+    Json& schedule = json["schedule"] = Json::array();
+    for (const ScheduleEntry& e : d.schedule)
+        schedule.push_back(to_json(e));
     Json& surfaces = json["surfaces"] = Json::array();
     for (const SurfaceResult& s : r.surfaces)
         surfaces.push_back(to_json(s, r.confidence));
+    Json& modelling = json["modelling"] = Json::array();
+    for (const ModellingResult& m : r.modelling)
+        modelling.push_back(to_json(m, r));
+    Json& observers = json["observers"] = Json::array();
+    for (const ObserverGroupResult& o : r.observers)
+        observers.push_back(to_json(o, r.confidence));
+    Json& energy = json["energy"] = Json::array();
+    for (const EnergyResult& e : r.energy)
+        energy.push_back(to_json(e, r.confidence));
+    Json& scenes = json["scenes"] = Json::array();
+    for (const SceneResult& scene : r.scenes)
+        scenes.push_back(to_json(scene, r));
     json["flux_balance"] = {{"emitted", to_json(r.flux_balance.emitted, r.confidence)},
                             {"absorbed", to_json(r.flux_balance.absorbed, r.confidence)},
                             {"escaped", to_json(r.flux_balance.escaped, r.confidence)}};
@@ -192,6 +337,7 @@ make_results_document(const Project& project, const Settings& settings, Results 
                              std::move(results)};
     document.description = project.description;
     document.absolute_tolerance = settings.absolute_tolerance;
+    document.schedule = project.schedule;
     return document;
 }
 

@@ -41,7 +41,11 @@ bool is_below(const SchemaFinding& inner, const SchemaFinding& outer) {
 } // namespace
 
 std::vector<SchemaFinding> check_project_schema(std::string_view text) {
-    const nlohmann::json schema_document = nlohmann::json::parse(project_schema());
+    return check_schema(project_schema(), text);
+}
+
+std::vector<SchemaFinding> check_schema(std::string_view schema_text, std::string_view text) {
+    const nlohmann::json schema_document = nlohmann::json::parse(schema_text);
     valijson::Schema schema;
     valijson::SchemaParser parser;
     parser.populateSchema(Adapter(schema_document), schema);

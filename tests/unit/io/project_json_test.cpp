@@ -87,14 +87,18 @@ TEST(ReadProject, EveryExampleOfTheGuideWorksInOneProject) {
 
     const Project project = read_project(root / "projects/guide/project.json");
 
-    EXPECT_EQ(examples.size(), 8U) << "one for each key of the top level";
+    EXPECT_EQ(examples.size(), 12U) << "one for each key of the top level";
     EXPECT_EQ(project.settings.tolerance, 0.02);
     EXPECT_EQ(project.settings.time_limit->count(), 300.0);
     EXPECT_EQ(project.scene.rooms.size(), 2U);
     EXPECT_EQ(project.scene.objects.size(), 8U + 3U);
     EXPECT_EQ(project.scene.luminaire_types.size(), 5U);
     EXPECT_EQ(project.scene.luminaires.size(), 6U + 5U + 8U + 1U + 2U);
-    EXPECT_EQ(project.surfaces.size(), 6U);
+    // Six of the guide's own; surroundings and background of the desk, three more walls and the
+    // ceiling for the requirements.
+    EXPECT_EQ(project.surfaces.size(), 6U + 6U);
+    EXPECT_EQ(project.scenes.size(), 2U);
+    EXPECT_EQ(project.observers.size(), 2U);
     ASSERT_EQ(project.inputs.size(), 3U);
     EXPECT_EQ(project.inputs[0].file, "chair.obj");
     EXPECT_EQ(project.file.sha256, sha256(text + "}"));

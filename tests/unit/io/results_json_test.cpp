@@ -66,6 +66,9 @@ ResultsDocument make_document() {
     project.file = {"office.json", std::string(64, 'a')};
     project.inputs = {{"a.ies", std::string(64, 'b')}};
     project.notices = {{"office.json", "the project's own notice", ""}};
+    ScheduleEntry entry{"panel", "a.ies", "Maker", "Panel", 9, 3600.0, 36.0, 80.0, {}};
+    entry.maintenance = {0.8, true, 0.9, 1.0, 0.95, 0.94};
+    project.schedule = {entry, {"bulb", "", "", "", 1, 470.0, {}, {}, {}}};
     project.description = "Two rooms & a corridor";
     ResultsDocument document = make_results_document(project, settings, test::make_results());
     document.plan = make_plan(make_scene());
@@ -304,6 +307,30 @@ TEST(ResultsReader, NamesThePlaceOfWhatDoesNotFit) {
                   + hint);
     EXPECT_EQ(with("/installation/rooms/0/lines/0", json{1, 2, 3}),
               "r.json#/installation/rooms/0/lines/0: not pairs of numbers" + hint);
+}
+
+TEST(ResultsReader, NamesThePlaceOfDecisionsThatDoNotFit) {
+    const std::string hint = ". Is this the results.json of an isolux calculation?";
+    EXPECT_EQ(with("/verdicts/0/decision", "maybe"),
+              "r.json#/verdicts/0/decision: unknown word 'maybe'" + hint);
+    EXPECT_EQ(with("/modelling/0/horizontal", "roof"),
+              "r.json#/modelling/0/horizontal: there is no surface 'roof'" + hint);
+    EXPECT_EQ(with("/observers/0/worst", 7),
+              "r.json#/observers/0/worst: beyond the last observer" + hint);
+}
+
+TEST(ResultsJson, HasVerdictsWithMarginsAndClauses) {
+    const json d = json::parse(to_results_json(make_document()));
+    EXPECT_EQ(d["verdict"], "pass");
+    const json& v = d["verdicts"][0];
+    EXPECT_EQ(v["decision"], "pass");
+    EXPECT_EQ(v["clause"], "5; 7");
+    EXPECT_EQ(v["limit"], 500.0);
+    EXPECT_EQ(v["margin"], 10.0);
+    EXPECT_EQ(v["least_margin"], 4.0);
+    EXPECT_FALSE(d["verdicts"][1].contains("value"));
+    EXPECT_EQ(d["observers"][0]["observers"][0]["value"], 18.25);
+    EXPECT_FALSE(d["observers"][0]["observers"][1].contains("value"));
 }
 
 TEST(WriteResults, MakesOneFolderWithJsonAndOneCsvASurface) {

@@ -17,6 +17,7 @@ std::string read_source_file(const std::string& name) {
 TEST(Schema, IsThePublishedFileByteForByte) {
     ASSERT_FALSE(results_schema().empty());
     EXPECT_EQ(results_schema(), read_source_file("schema/results.schema.json"));
+    EXPECT_EQ(standard_schema(), read_source_file("schema/standard.schema.json"));
     EXPECT_EQ(project_schema(), read_source_file("schema/project.schema.json"));
 }
 

@@ -1,0 +1,375 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "isolux/io/json_build.h"
+#include "isolux/io/project_bands.h"
+#include "isolux/io/project_observers.h"
+#include "isolux/io/project_reader.h"
+#include "isolux/io/standard_json.h"
+#include "isolux/io/suggest.h"
+
+namespace isolux {
+
+namespace {
+
+/// Where a requirement looks: surfaces of the project, or why there is none.
+struct Places {
+    std::vector<std::size_t> surfaces;
+    std::string reason;
+};
+
+/// One entry of "requirements".
+class RequirementReader {
+public:
+    RequirementReader(const JsonNode& node, ProjectReader& reader)
+        : object_(node,
+                  "a requirement",
+                  {"standard", "row", "room", "area", "modified", "areas", "leave_out"}),
+          reader_(reader) {}
+
+    void read(const std::vector<Standard>& standards) {
+        const Standard* standard = find_standard(standards);
+        const StandardRow* row = standard != nullptr ? find_wanted_row(*standard) : nullptr;
+        room_ = find_room_of();
+        read_own_areas();
+        if (row == nullptr || has_failed_)
+            return;
+        const bool modified = object_.boolean("modified", false);
+        const std::vector<std::string> left_out = read_names("leave_out");
+        for (const Requirement& r : requirements_of(
+                 *standard, *row, modified ? RowLevel::modified : RowLevel::required))
+            if (std::ranges::find(left_out, to_word(r.area)) == left_out.end())
+                add(r);
+    }
+
+private:
+    // ---- what the entry says ----------------------------------------------------------------
+
+    const Standard* find_standard(const std::vector<Standard>& standards) {
+        const std::optional<JsonNode> node = object_.require("standard");
+        const std::optional<std::string> name = node ? read_text(*node) : std::nullopt;
+        if (!name)
+            return nullptr;
+        std::vector<std::string> names;
+        for (const Standard& s : standards) {
+            if (s.name == *name)
+                return &s;
+            names.push_back(s.name);
+        }
+        const auto begins = [&](const Standard& s) { return s.name.starts_with(*name + ":"); };
+        if (std::ranges::count_if(standards, begins) == 1)
+            return &*std::ranges::find_if(standards, begins); // the year may be left out
+        node->error(fmt::format("unknown standard \"{}\" (isolux and \"standards\" have no "
+                                "such one)",
+                                *name),
+                    did_you_mean(*name, names));
+        return nullptr;
+    }
+
+    const StandardRow* find_wanted_row(const Standard& standard) {
+        const std::optional<JsonNode> node = object_.require("row");
+        const std::optional<std::string> id = node ? read_text(*node) : std::nullopt;
+        if (!id)
+            return nullptr;
+        if (const StandardRow* row = find_row(standard, *id))
+            return row;
+        std::vector<std::string> ids;
+        for (const StandardRow& r : standard.rows)
+            ids.push_back(r.id);
+        const std::string near = did_you_mean(*id, ids);
+        node->error(
+            fmt::format("{} has no row \"{}\" (nothing to judge by)", standard.name, *id),
+            near.empty() ? "`isolux standards WORD` finds rows" : near);
+        return nullptr;
+    }
+
+    /// The entry's room, the room of its task area, or the only one there is.
+    const Room* find_room_of() {
+        const std::vector<Room>& rooms = reader_.project.scene.rooms;
+        if (object_.has("room")) {
+            const Room* room = reader_.find_room(object_);
+            has_failed_ |= room == nullptr;
+            return room;
+        }
+        for (const std::string& name : read_names("area"))
+            if (const auto s = find_surface(name))
+                for (const Room& room : rooms)
+                    if (contains(room, surfaces()[*s].receivers.front().point))
+                        return &room;
+        if (rooms.size() == 1 || object_.has("area"))
+            return rooms.size() == 1 ? &rooms.front() : nullptr;
+        has_failed_ = true;
+        object_.node().error("neither \"area\" nor \"room\" is given (what must meet the "
+                             "requirement?)");
+        return nullptr;
+    }
+
+    /// A name, or a list of names; missing: none.
+    std::vector<std::string> read_names(const char* key) const {
+        const std::optional<JsonNode> node = object_.find(key);
+        return node ? names_of(*node) : std::vector<std::string>();
+    }
+
+    static std::vector<std::string> names_of(const JsonNode& node) {
+        std::vector<std::string> names;
+        if (node.is(JsonValue::Kind::array)) {
+            for (const JsonNode& item : read_list(node, 1))
+                if (std::optional<std::string> name = read_text(item))
+                    names.push_back(std::move(*name));
+        } else if (std::optional<std::string> name = read_text(node)) {
+            names.push_back(std::move(*name));
+        }
+        return names;
+    }
+
+    /// "area" and "areas": surfaces that the user names himself.
+    void read_own_areas() {
+        if (const std::optional<JsonNode> node = object_.find("area"))
+            name_area(RequiredArea::task, *node);
+        const std::optional<JsonNode> node = object_.find("areas");
+        if (!node)
+            return;
+        const JsonObject areas(
+            *node, "areas", {"surrounding", "background", "walls", "ceiling", "space"});
+        for (const JsonMember& m : node->value().members)
+            if (const auto area = find_word<RequiredArea>(m.key))
+                name_area(*area, node->member(m.key, m.value));
+    }
+
+    void name_area(RequiredArea area, const JsonNode& node) {
+        Places& places = places_[area];
+        for (const std::string& name : names_of(node)) {
+            if (const auto s = find_surface(name)) {
+                places.surfaces.push_back(*s);
+                check_kind(area, *s, node);
+                continue;
+            }
+            has_failed_ = true;
+            std::vector<std::string> names;
+            for (const CalculationSurface& s : surfaces())
+                names.push_back(s.name);
+            node.error(fmt::format("unknown surface \"{}\" (surfaces has no such name)", name),
+                       did_you_mean(name, names));
+        }
+    }
+
+    void check_kind(RequiredArea area, std::size_t surface, const JsonNode& node) {
+        const bool is_space = area == RequiredArea::space;
+        if (surfaces()[surface].kind
+            == (is_space ? IlluminanceKind::cylindrical : IlluminanceKind::planar))
+            return;
+        has_failed_ = true;
+        node.error(
+            fmt::format("surface \"{}\" measures another quantity ({} is judged here)",
+                        surfaces()[surface].name,
+                        is_space ? "cylindrical illuminance" : "illuminance on a plane"));
+    }
+
+    // ---- surfaces that follow from it -------------------------------------------------------
+
+    void add(const Requirement& r) {
+        ProjectRequirement asked{r, {}, std::nullopt, {}};
+        switch (r.area) {
+        case RequiredArea::luminaires:
+            asked.subject = "luminaires";
+            break;
+        case RequiredArea::observers:
+            add_for_observers(asked);
+            return;
+        case RequiredArea::room:
+            asked.subject = room_ != nullptr ? room_->name : "project";
+            break;
+        default:
+            add_on_surfaces(asked);
+            return;
+        }
+        reader_.project.requirements.push_back(std::move(asked));
+    }
+
+    /// One verdict for each group of the room; indoors a group is made where there is none.
+    void add_for_observers(ProjectRequirement asked) {
+        const bool is_outdoor = asked.requirement.quantity == RequiredQuantity::glare_rating;
+        std::vector<ObserverGroup>& groups = reader_.project.observers;
+        const auto is_meant = [&](const ObserverGroup& g) {
+            return (g.scale == GlareScale::outdoor) == is_outdoor
+                   && (room_ == nullptr || g.room == room_->name);
+        };
+        if (room_ != nullptr && !is_outdoor && std::ranges::none_of(groups, is_meant)) {
+            ObserverGroup made = make_room_observers(object_.node(), *room_, reader_);
+            if (!made.sight_lines.empty())
+                groups.push_back(std::move(made));
+        }
+        bool has_any = false;
+        for (std::size_t g = 0; g < groups.size(); ++g) {
+            if (!is_meant(groups[g]))
+                continue;
+            has_any = true;
+            asked.observers = g;
+            asked.subject = groups[g].name;
+            reader_.project.requirements.push_back(asked);
+        }
+        if (has_any)
+            return;
+        asked.subject = "observers";
+        asked.reason = "the project has no observers of this kind";
+        reader_.project.requirements.push_back(std::move(asked));
+    }
+
+    void add_on_surfaces(ProjectRequirement asked) {
+        const RequiredArea area = asked.requirement.area;
+        if (!places_.contains(area))
+            places_[area] = make_places(area);
+        const Places& places = places_[area];
+        for (const std::size_t s : places.surfaces) {
+            asked.surface = s;
+            asked.subject = surfaces()[s].name;
+            reader_.project.requirements.push_back(asked);
+        }
+        if (!places.surfaces.empty())
+            return;
+        asked.subject = std::string(to_word(area));
+        asked.reason = places.reason;
+        reader_.project.requirements.push_back(std::move(asked));
+    }
+
+    Places make_places(RequiredArea area) {
+        if (area == RequiredArea::surrounding || area == RequiredArea::background)
+            return make_bands(area);
+        if (room_ == nullptr)
+            return {{}, "there is no room to make this area from"};
+        const std::string& room = room_->name;
+        JsonValue named = json_object({{"room", json_text(room)}});
+        switch (area) {
+        case RequiredArea::task:
+            return make(room + " work plane", {{"work_plane", std::move(named)}});
+        case RequiredArea::ceiling: {
+            Places ceiling = make(room + " ceiling", {{"ceiling", std::move(named)}});
+            return ceiling;
+        }
+        case RequiredArea::space: {
+            named.members.push_back({"height", json_number(seated_head_height)});
+            make(room + " heads, horizontal", {{"work_plane", named}});
+            return make(
+                room + " heads",
+                {{"work_plane", std::move(named)}, {"quantity", json_text("cylindrical")}});
+        }
+        default:
+            return make_walls();
+        }
+    }
+
+    Places make_walls() {
+        Places all;
+        for (std::size_t w = 0; w < room_->footprint.size(); ++w) {
+            const Places one =
+                make(fmt::format("{} wall {}", room_->name, w + 1),
+                     {{"wall",
+                       json_object({{"room", json_text(room_->name)},
+                                    {"number", json_number(static_cast<double>(w + 1))}})}});
+            all.surfaces.insert(all.surfaces.end(), one.surfaces.begin(), one.surfaces.end());
+        }
+        all.reason = "no wall has a point to measure";
+        return all;
+    }
+
+    /// The surface of that name, or a new one as "surfaces" would describe it.
+    Places make(const std::string& name, std::vector<JsonMember> members) {
+        if (const auto known = find_surface(name))
+            return {{*known}, {}};
+        const JsonValue value = json_object(std::move(members));
+        Problems own(reader_.problems.file());
+        std::optional<CalculationSurface> surface =
+            read_one_surface(JsonNode(value, object_.node().pointer(), own), reader_);
+        if (!surface)
+            return {{},
+                    own.errors().empty() ? "it could not be made" : own.errors().front().what};
+        surface->name = name;
+        if (surface->name == room_->name + " ceiling")
+            leave_out_luminaires(*surface, reader_.project.scene);
+        if (surface->receivers.empty())
+            return {{}, "no point is left to measure"};
+        surfaces().push_back(std::move(*surface));
+        return {{surfaces().size() - 1}, {}};
+    }
+
+    Places make_bands(RequiredArea area) {
+        if (!places_.contains(RequiredArea::task))
+            places_[RequiredArea::task] = make_places(RequiredArea::task);
+        Places all;
+        for (const std::size_t task : places_[RequiredArea::task].surfaces) {
+            const std::string name = surfaces()[task].name + " " + std::string(to_word(area));
+            if (const auto known = find_surface(name)) {
+                all.surfaces.push_back(*known);
+                continue;
+            }
+            std::optional<CalculationSurface> band =
+                area == RequiredArea::surrounding ? make_surrounding(surfaces()[task], room_)
+                                                  : make_background(surfaces()[task], room_);
+            if (!band)
+                continue;
+            band->name = name;
+            surfaces().push_back(std::move(*band));
+            all.surfaces.push_back(surfaces().size() - 1);
+        }
+        all.reason = "the task area leaves nothing around it (or is not a level grid)";
+        return all;
+    }
+
+    // ---- details ----------------------------------------------------------------------------
+
+    std::vector<CalculationSurface>& surfaces() { return reader_.project.surfaces; }
+
+    std::optional<std::size_t> find_surface(const std::string& name) const {
+        const std::vector<CalculationSurface>& all = reader_.project.surfaces;
+        const auto found = std::ranges::find_if(
+            all, [&](const CalculationSurface& s) { return s.name == name; });
+        if (found == all.end())
+            return std::nullopt;
+        return static_cast<std::size_t>(found - all.begin());
+    }
+
+    JsonObject object_;
+    ProjectReader& reader_;
+    const Room* room_ = nullptr;
+    std::map<RequiredArea, Places> places_;
+    bool has_failed_ = false;
+};
+
+std::vector<Standard> read_standards(const JsonObject& project, ProjectReader& reader) {
+    std::vector<Standard> standards;
+    if (const std::optional<JsonNode> list = project.find("standards"))
+        for (const JsonNode& node : read_list(*list)) {
+            if (!read_text(node, 4096))
+                continue;
+            const std::optional<std::string> text = reader.read_file(node, 16'000'000);
+            if (!text)
+                continue;
+            try {
+                standards.push_back(
+                    parse_standard(*text, reader.path_of(node).generic_string()));
+            } catch (const InputError& error) {
+                reader.problems.add_errors(error.messages());
+            }
+        }
+    for (Standard& s : builtin_standards())
+        standards.push_back(std::move(s)); // the user's own come first
+    return standards;
+}
+
+} // namespace
+
+void read_requirements(const JsonObject& project, ProjectReader& reader) {
+    if (!project.has("requirements") && !project.has("standards"))
+        return;
+    const std::vector<Standard> standards = read_standards(project, reader);
+    if (!reader.problems.errors().empty())
+        return; // areas that depend on what is wrong would only add to the noise
+    if (const std::optional<JsonNode> list = project.find("requirements"))
+        for (const JsonNode& node : read_list(*list))
+            RequirementReader(node, reader).read(standards);
+}
+
+} // namespace isolux

@@ -1,0 +1,80 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "isolux/io/results_json.h"
+
+#include "cli/program.h"
+#include "support/sample_results.h"
+
+namespace isolux::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// Results with the light of two sources in the table, half of it from each.
+std::string write_results_with_sources(const TemporaryFolder& folder) {
+    Project project;
+    project.name = "Office";
+    project.file = {"office.json", std::string(64, 'a')};
+    Results r = make_results();
+    Contributions c;
+    c.sources = {{"board", SourceKind::group, 1000.0, {0, 1}},
+                 {"pupils", SourceKind::group, 3000.0, {2}}};
+    c.replicates = 16;
+    for (const SurfaceResult& s : r.surfaces)
+        c.points += s.points.size();
+    for (std::size_t source = 0; source < 2; ++source)
+        for (std::size_t i = 0; i < 16; ++i)
+            for (const SurfaceResult& s : r.surfaces)
+                for (const double e : s.replicates.row(i)) {
+                    c.direct.push_back(static_cast<float>(0.3 * e));
+                    c.indirect.push_back(static_cast<float>(0.2 * e));
+                }
+    r.contributions = c;
+    SceneResult scene{"talk", {0.5, 0.5, 1.0}, {}, {}, {}};
+    for (const SurfaceResult& s : r.surfaces)
+        scene.surfaces.push_back(s.summary);
+    r.scenes = {scene};
+    write_results(folder.path("out"), make_results_document(project, {}, r));
+    return folder.path("out");
+}
+
+TEST(ScenesVerb, ShowsTheProjectsScenesWithTheirVerdicts) {
+    const TemporaryFolder folder;
+    const Ran ran = run_program({"scenes", write_results_with_sources(folder)});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("scene: talk\n"));
+    EXPECT_THAT(ran.out, HasSubstr("fail")); // 3/4 of the light of the run that passed
+}
+
+TEST(ScenesVerb, TakesLevelsFromTheCommandLine) {
+    const TemporaryFolder folder;
+    const std::string out = write_results_with_sources(folder);
+    Ran ran = run_program({"scenes", out, "board=0", "--others", "2"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("scene: board=0\n"));
+    // Twice the half of the light is the light itself.
+    const std::string half = run_program({"scenes", out, "--others", "1"}).out;
+    EXPECT_EQ(ran.out.substr(ran.out.find('\n')), half.substr(half.find('\n')));
+}
+
+TEST(ScenesVerb, ComplainsAboutNamesLevelsAndMissingTables) {
+    const TemporaryFolder folder;
+    const std::string out = write_results_with_sources(folder);
+    Ran ran = run_program({"scenes", out, "bord=1"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_EQ(ran.err,
+              "error: isolux scenes: there is no light source 'bord' in these results. Did you "
+              "mean 'board'?\n");
+    ran = run_program({"scenes", out, "board=x"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_THAT(ran.err, HasSubstr("'board=x' is no level (NAME=LEVEL, 0 is off"));
+    ran = run_program({"scenes", out, "board"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_THAT(ran.err, HasSubstr("'board' is no level (NAME=LEVEL is expected)"));
+    ran = run_program({"scenes", folder.path()});
+    EXPECT_EQ(ran.exit_code, 2);
+}
+
+} // namespace
+} // namespace isolux::test
