@@ -10,6 +10,7 @@
 
 #include "isolux/base/error.h"
 #include "isolux/calc/contributions.h"
+#include "isolux/measure/camera.h"
 #include "isolux/measure/energy.h"
 #include "isolux/measure/glare.h"
 #include "isolux/measure/requirement.h"
@@ -152,6 +153,7 @@ struct Project {
     std::vector<LightScene> scenes;
     std::vector<double>
         glare_factors; ///< k2 of CIE 232, as scene.luminaire_types; 1 if unknown
+    std::vector<View> views;
     Settings settings;
     std::vector<Message> notices;
 };

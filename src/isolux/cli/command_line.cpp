@@ -26,6 +26,7 @@ struct Verb {
 constexpr std::array verbs{
     Verb{"run", add_run},
     Verb{"sense", add_sense},
+    Verb{"luminance", add_luminance},
     Verb{"check", add_check},
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},

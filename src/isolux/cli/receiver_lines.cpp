@@ -15,7 +15,23 @@ namespace isolux {
 
 namespace {
 
-constexpr const char* expected_line = "A line is x y z nx ny nz, in metres";
+/// The words of the messages.
+struct FormWords {
+    const char* line;
+    const char* zero;
+    const char* remedy;
+};
+
+FormWords words_of(LineForm form) {
+    if (form == LineForm::sight_line)
+        return {"A line is x y z dx dy dz, in metres",
+                "the direction is zero (it points nowhere)",
+                "0 0 -1 looks down"};
+    return {"A line is x y z nx ny nz, in metres",
+            "the normal is zero (it has no direction)",
+            "0 0 1 faces upwards"};
+}
+
 constexpr std::size_t longest_line = 4096; ///< bytes; six numbers take far less
 constexpr std::size_t most_messages = 10;
 
@@ -47,10 +63,11 @@ bool read_line(std::istream& in, std::string& line) {
 
 } // namespace
 
-std::optional<Receiver> parse_receiver(std::string_view text, const std::string& where) {
+std::optional<Receiver>
+parse_receiver(std::string_view text, const std::string& where, LineForm form) {
+    const FormWords say = words_of(form);
     if (text.size() > longest_line)
-        throw InputError(
-            where, fmt::format("more than {} characters", longest_line), expected_line);
+        throw InputError(where, fmt::format("more than {} characters", longest_line), say.line);
     const std::vector<std::string_view> words = split(text.substr(0, text.find('#')));
     if (words.empty())
         return std::nullopt;
@@ -59,15 +76,14 @@ std::optional<Receiver> parse_receiver(std::string_view text, const std::string&
         numbers[i] = parse_finite_number(words[i]);
         if (std::isnan(numbers[i]))
             throw InputError(
-                where, fmt::format("'{:.40}' is not a number", words[i]), expected_line);
+                where, fmt::format("'{:.40}' is not a number", words[i]), say.line);
     }
     if (words.size() != numbers.size())
         throw InputError(
-            where, fmt::format("{} numbers in place of 6", words.size()), expected_line);
+            where, fmt::format("{} numbers in place of 6", words.size()), say.line);
     const Vector3 normal{numbers[3], numbers[4], numbers[5]};
     if (normal == Vector3{})
-        throw InputError(
-            where, "the normal is zero (it has no direction)", "0 0 1 faces upwards");
+        throw InputError(where, say.zero, say.remedy);
     // Scaled before it is normalised: the square of a huge or tiny number is no number.
     const double scale = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     return Receiver{{numbers[0], numbers[1], numbers[2]}, UnitVector3(normal / scale), {}, {}};
@@ -80,7 +96,8 @@ std::vector<Receiver> ReceiverLines::read(std::size_t count) {
     while (receivers.size() < count && read_line(in_, line)) {
         ++line_;
         try {
-            if (auto receiver = parse_receiver(line, fmt::format("{}:{}", source_, line_)))
+            if (auto receiver =
+                    parse_receiver(line, fmt::format("{}:{}", source_, line_), form_))
                 receivers.push_back(*receiver);
         } catch (const InputError& e) {
             messages.push_back(e.messages().front());

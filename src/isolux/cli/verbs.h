@@ -24,6 +24,7 @@ using Action = std::function<ExitCode()>;
 /// Each adds its options, description and examples to the sub-command `verb`.
 [[nodiscard]] Action add_run(CLI::App& verb);
 [[nodiscard]] Action add_sense(CLI::App& verb);
+[[nodiscard]] Action add_luminance(CLI::App& verb);
 [[nodiscard]] Action add_check(CLI::App& verb);
 [[nodiscard]] Action add_selftest(CLI::App& verb);
 [[nodiscard]] Action add_reference(CLI::App& verb);

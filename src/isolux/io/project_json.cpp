@@ -164,6 +164,8 @@ void read_everything(const JsonObject& object, ProjectReader& reader) {
         read_energy(object, reader);
     if (const std::optional<JsonNode> node = object.find("scenes"))
         read_scenes(*node, reader);
+    if (const std::optional<JsonNode> node = object.find("views"))
+        read_views(*node, reader);
     if (reader.project.surfaces.empty())
         reader.problems.notice("", "no calculation surface (nothing is measured)");
 }
@@ -207,7 +209,8 @@ Project parse_project(std::string_view text, const std::filesystem::path& path) 
                              "requirements",
                              "observers",
                              "energy",
-                             "scenes"});
+                             "scenes",
+                             "views"});
     if (object.is_object() && check_version(object)) {
         read_everything(object, reader);
         for (const SchemaFinding& finding : check_project_schema(text))

@@ -77,6 +77,7 @@ void read_energy(const JsonObject& project, ProjectReader& reader);
 void read_scenes(const JsonNode& node, ProjectReader& reader);
 /// A factor as a number, or as an object of LLMF, LSF, LMF, RSMF.
 [[nodiscard]] std::optional<MaintenanceFactor> read_maintenance(const JsonNode& node);
+void read_views(const JsonNode& node, ProjectReader& reader);
 /// The work plane of every room, for a project that names no surface.
 void add_default_surfaces(ProjectReader& reader);
 

@@ -1,0 +1,58 @@
+#include "isolux/transport/double_local_estimator.h"
+
+#include "isolux/transport/gather.h"
+#include "isolux/transport/local_estimator.h"
+#include "isolux/transport/path_tracer.h"
+
+namespace isolux {
+
+ReflectedBy DoubleLocalEstimator::choose(const SeenSurface& seen, double edge) const noexcept {
+    const SurfaceDistances d = scene_->caster.find_nearest_surfaces(seen.at, edge);
+    return d.second < edge ? ReflectedBy::path_tracing : ReflectedBy::mis;
+}
+
+Rgb DoubleLocalEstimator::reflected(const SeenSurface& seen,
+                                    ReflectedBy by,
+                                    const VertexCache& cache,
+                                    const EffectiveCounts& counts,
+                                    const SeenEffort& effort,
+                                    const SeenKey& key,
+                                    std::uint64_t& rays) const {
+    thread_local std::vector<float> scratch;
+    const Receiver receiver = receiver_at(seen);
+    const PointRandomness random(key.seed, StreamPurpose::gather, key.replicate, key.place);
+    if (by == ReflectedBy::path_tracing)
+        return trace_indirect(*scene_,
+                              *emission_,
+                              *images_,
+                              receiver,
+                              effort.samples,
+                              key.unit * static_cast<std::uint32_t>(effort.samples),
+                              random,
+                              rays);
+    const RandomStream subset(key.seed, StreamPurpose::subset, key.replicate);
+    const bool alone = by == ReflectedBy::local;
+    Rgb e = gather_local_estimate(*scene_,
+                                  cache,
+                                  receiver,
+                                  alone ? Weighting::alone : Weighting::balanced,
+                                  effort.draws,
+                                  subset.uniform(key.place, key.unit),
+                                  scratch);
+    rays += effort.draws;
+    if (!alone || images_->scene_has_mirrors())
+        e += gather_indirect(*scene_,
+                             *emission_,
+                             *images_,
+                             cache,
+                             counts,
+                             receiver,
+                             alone ? GatherPart::mirrors_only : GatherPart::balanced,
+                             effort.directions,
+                             key.unit * static_cast<std::uint32_t>(effort.directions),
+                             random,
+                             rays);
+    return e;
+}
+
+} // namespace isolux
