@@ -41,8 +41,8 @@ TEST_F(LuminanceVerb, AnswersEveryLineInOrder) {
 TEST_F(LuminanceVerb, PrintsJsonLines) {
     const Ran ran = look("1.5 1 1 0 0 2\n", {"--json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_TRUE(ran.out.starts_with(
-        R"({"eye":[1.5,1.0,1.0],"direction":[0.0,0.0,1.0],"value":2829.)"))
+    EXPECT_TRUE(
+        ran.out.starts_with(R"({"eye":[1.5,1.0,1.0],"direction":[0.0,0.0,1.0],"value":2829.)"))
         << ran.out;
     for (const char* key :
          {"standard_error", "lower", "upper", "luminaires", "direct", "indirect"})
