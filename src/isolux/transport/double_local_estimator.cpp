@@ -18,7 +18,7 @@ Rgb DoubleLocalEstimator::reflected(const SeenSurface& seen,
                                     const SeenEffort& effort,
                                     const SeenKey& key,
                                     std::uint64_t& rays) const {
-    thread_local std::vector<float> scratch;
+    thread_local LocalScratch scratch;
     const Receiver receiver = receiver_at(seen);
     const PointRandomness random(key.seed, StreamPurpose::gather, key.replicate, key.place);
     if (by == ReflectedBy::path_tracing)
@@ -32,13 +32,16 @@ Rgb DoubleLocalEstimator::reflected(const SeenSurface& seen,
                               rays);
     const RandomStream subset(key.seed, StreamPurpose::subset, key.replicate);
     const bool alone = by == ReflectedBy::local;
-    Rgb e = gather_local_estimate(*scene_,
-                                  cache,
-                                  receiver,
-                                  alone ? Weighting::alone : Weighting::balanced,
-                                  effort.draws,
-                                  subset.uniform(key.place, key.unit),
-                                  scratch);
+    const LocalPoint point{
+        &receiver, clear_point(*scene_, receiver), subset.uniform(key.place, key.unit)};
+    Rgb e;
+    gather_local_estimates(*scene_,
+                           cache,
+                           {&point, 1},
+                           alone ? Weighting::alone : Weighting::balanced,
+                           effort.draws,
+                           scratch,
+                           {&e, 1});
     rays += effort.draws;
     if (!alone || images_->scene_has_mirrors())
         e += gather_indirect(*scene_,

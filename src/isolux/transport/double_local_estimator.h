@@ -5,8 +5,8 @@
 
 #include "isolux/transport/direct_light.h"
 #include "isolux/transport/eye_path.h"
-#include "isolux/transport/light_path.h"
 #include "isolux/transport/mirror_images.h"
+#include "isolux/transport/vertex_cache.h"
 
 /// Luminance of a place in a direction: an eye's ray, the surface it shows, and on that the
 /// estimators of illuminance. Two scattering functions appear, hence "double" local estimation,

@@ -42,7 +42,10 @@ void follow_eye(const Scene& scene,
             const auto hit = scene.caster.find_first_hit(ray.along.origin, ray.along.w);
             ++rays;
             const double reach = hit ? hit->distance + 1e-4 : 1e30;
-            path.luminaires += ray.along.throughput * seen_openings(emission, ray.along, reach);
+            visit_seen_openings(
+                emission, ray.along, reach, [&](std::size_t, const Rgb& luminance) {
+                    path.luminaires += ray.along.throughput * luminance;
+                });
             if (!hit)
                 break;
             const double cosine = std::max(0.0, -dot(hit->normal, ray.along.w));
