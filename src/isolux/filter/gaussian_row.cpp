@@ -75,7 +75,8 @@ std::ptrdiff_t radii(const SiteRow& s, std::ptrdiff_t t0, std::ptrdiff_t n, floa
 /// The weights of one neighbour for all widths.
 template <int widths> ISOLUX_INLINE void weigh(float d2, float* w) noexcept {
     if constexpr (widths == 1) {
-        w[0] = d2 <= cut ? exp_of_negative(-0.5F * d2) : 0.0F;
+        // a product, not a choice: the compiler must not jump
+        w[0] = exp_of_negative(-0.5F * d2) * static_cast<float>(d2 <= cut);
     } else {
         const float e = exp_of_negative(d2 * -0.03125F); // four times as wide
         const float e4 = (e * e) * (e * e);
