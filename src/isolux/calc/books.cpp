@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "isolux/calc/study_estimators.h"
+
 namespace isolux {
 
 Books::Books(const Scene& scene,
@@ -9,7 +11,14 @@ Books::Books(const Scene& scene,
              std::size_t points,
              std::size_t replicates)
     : points_(points), replicates_(replicates) {
-    if (settings.contributions != SourceSplit::none) {
+    // The estimators for study say how much light there is, not whose.
+    const bool keeps = !StudyEstimators::serves(settings.estimator);
+    if (!keeps && (settings.contributions > SourceSplit::none || settings.sensitivities))
+        notices_.push_back({"calculation",
+                            "neither contributions nor sensitivities were kept (the estimators "
+                            "for study do not tell whose light it is)",
+                            "Take the default estimator?"});
+    if (keeps && settings.contributions != SourceSplit::none) {
         const bool is_automatic = settings.contributions == SourceSplit::automatic;
         sources_ = find_light_sources(
             scene, is_automatic ? SourceSplit::groups : settings.contributions);
@@ -31,7 +40,7 @@ Books::Books(const Scene& scene,
         layout_.source_of = source_of_luminaires(sources_, scene.luminaires.size());
         layout_.sources = sources_.size();
     }
-    if (settings.sensitivities) {
+    if (keeps && settings.sensitivities) {
         materials_ = find_sensitive_materials(scene);
         layout_.materials = materials_.size();
         layout_.row_of.assign(scene.materials.size(), 0);

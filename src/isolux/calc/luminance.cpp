@@ -156,7 +156,10 @@ private:
             return ReflectedBy::mis;
         case Estimator::path_tracing:
             return ReflectedBy::path_tracing;
-        case Estimator::automatic:
+        case Estimator::automatic: // the estimators for study are for points
+        case Estimator::photometer_head:
+        case Estimator::bounded:
+        case Estimator::bidirectional:
             break;
         }
         return estimator_.choose(seen, edge_);

@@ -22,11 +22,11 @@ struct ResultsDocument {
     double tolerance = 0.01;
     double confidence = 0.95; ///< as asked for; results.confidence is that of each interval
     Results results;
-    std::string description{};           ///< of the project; may be empty
-    double absolute_tolerance = 1e-4;    ///< lx, asked for
-    std::string date{};                  ///< ISO 8601, UTC; empty where nobody said
-    Plan plan{};                         ///< luminaires, rooms and objects; may be empty
-    std::vector<ScheduleEntry> schedule; ///< luminaires by type
+    std::string description{};             ///< of the project; may be empty
+    double absolute_tolerance = 1e-4;      ///< lx, asked for
+    std::string date{};                    ///< ISO 8601, UTC; empty where nobody said
+    Plan plan{};                           ///< luminaires, rooms and objects; may be empty
+    std::vector<ScheduleEntry> schedule{}; ///< luminaires by type
 };
 
 /// Version of this library, "0.1.0".
