@@ -40,6 +40,17 @@ power_of(const Project& project, const Scene& scene, const LightScene& light) {
     return watts;
 }
 
+/// Settings that keep the light of the sources apart as finely as the scenes need. A
+/// calculation that cannot tell them apart leaves the scenes out and says so.
+template <class AnySettings>
+AnySettings with_sources(AnySettings settings, const Scene& scene, const Project& project) {
+    if constexpr (requires { settings.contributions = SourceSplit::groups; }) {
+        if (!project.scenes.empty() && settings.contributions == SourceSplit::automatic)
+            settings.contributions = split_for(scene, project.scenes);
+    }
+    return settings;
+}
+
 void evaluate_scenes(const Project& project,
                      const Scene& scene,
                      const Settings& settings,
@@ -76,7 +87,7 @@ Results calculate_project(const Scene& scene,
     std::vector<CalculationSurface> all = project.surfaces;
     const std::vector<CalculationSurface> eyes = observer_surfaces(project.observers);
     all.insert(all.end(), eyes.begin(), eyes.end());
-    Results results = calculate(scene, all, settings, control);
+    Results results = calculate(scene, all, with_sources(settings, scene, project), control);
     const auto first =
         results.surfaces.begin() + static_cast<std::ptrdiff_t>(project.surfaces.size());
     const std::vector<SurfaceResult> at_the_eyes(
