@@ -25,6 +25,61 @@ Texts make_english() {
     t.contents = "Contents";
     t.footer = "{} · isolux {}";
 
+    t.verdict_title = "Verdict";
+    t.verdict_intro =
+        "A requirement is met where the whole interval lies on the right side of the limit, "
+        "not "
+        "met where it lies on the wrong side, undecided where the limit lies inside the "
+        "interval; "
+        "the intervals hold at {} confidence. The margin is the distance of the value from the "
+        "limit, positive on the right side.";
+    t.verdict_caption = "Requirements and what was found";
+    t.requirement = "Requirement";
+    t.standard = "Standard";
+    t.limit = "Limit";
+    t.margin = "Margin";
+    t.verdict = "Verdict";
+    t.pass = "pass";
+    t.fail = "fail";
+    t.undecided = "undecided";
+    t.not_judged = "not judged";
+    t.all_pass = "every requirement that could be judged is met";
+    t.one_fails = "at least one requirement is not met";
+    t.one_undecided = "at least one interval contains its limit; none lies on the wrong side";
+    t.none_judged = "no requirement could be judged";
+    t.recommended = "recommended";
+    t.verdict_note = "{}, {}: {}";
+    t.source_caption = "Where the limits come from";
+    t.task = "In words";
+    t.clause = "Clause";
+    t.source = "Source of the number";
+    t.recalled = "(recalled, not compared with the printed standard)";
+
+    t.glare = "Glare";
+    t.glare_intro = "The worst of each group of observers, and all lines of sight.";
+    t.glare_caption = "Observers";
+    t.observers = "Observers";
+    t.sight_lines = "Lines of sight";
+    t.scale = "Scale";
+    t.worst = "Worst";
+    t.eye = "Eye";
+    t.looking = "Looking";
+    t.by_table = "Table method";
+    t.ratings_caption = "{}, {} of all lines of sight";
+    t.background = "Background, cd/m²";
+    t.energy = "Energy";
+    t.energy_caption = "Installed power and energy by room";
+    t.watts = "Power, W";
+    t.density = "W/m²";
+    t.density_per_100_lux = "W/m² per 100 lx";
+    t.leni = "LENI, kWh/(m² a)";
+    t.scenes = "Light scenes";
+    t.scenes_intro = "Recombined from the contributions of the luminaires, without a new "
+                     "calculation.";
+    t.scene_caption = "Scene {}";
+    t.maintenance_caption = "Maintenance factors";
+    t.maintenance_factor = "Maintenance factor";
+
     t.overview = "Results at a glance";
     t.overview_intro =
         "Values are followed by half the width of their {} confidence interval, which says how "

@@ -47,6 +47,8 @@ Report make_report(const ResultsDocument& d, const std::vector<View>& views, con
         {{t.accuracy},
          {fill(t.accuracy_value, {to_percent(d.tolerance), to_percent(d.confidence)})}},
         {{t.state}, {state_of(d.results, t)}}};
+    if (!d.results.verdicts.empty())
+        r.sections.push_back(make_verdict_section(d, t));
     r.sections.push_back(make_overview(d, t));
     if (!d.plan.luminaires.empty())
         r.sections.push_back(make_luminaire_section(d, t));
@@ -54,6 +56,12 @@ Report make_report(const ResultsDocument& d, const std::vector<View>& views, con
         r.sections.push_back(make_room_section(d, t));
     for (std::size_t k = 0; k < d.results.surfaces.size(); ++k)
         r.sections.push_back(make_surface_section(d, k, t));
+    if (!d.results.observers.empty())
+        r.sections.push_back(make_glare_section(d, t));
+    if (!d.results.energy.empty())
+        r.sections.push_back(make_energy_section(d, t));
+    if (!d.results.scenes.empty())
+        r.sections.push_back(make_scene_section(d, t));
     if (!views.empty())
         r.sections.push_back(make_view_section(views, t));
     r.sections.push_back(make_method_section(d, t));

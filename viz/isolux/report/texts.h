@@ -27,6 +27,56 @@ struct Texts {
     std::string contents;
     std::string footer; ///< project, version
 
+    // verdict
+    std::string verdict_title;
+    std::string verdict_intro; ///< confidence
+    std::string verdict_caption;
+    std::string requirement;
+    std::string standard;
+    std::string limit;
+    std::string margin;
+    std::string verdict;
+    std::string pass;
+    std::string fail;
+    std::string undecided;
+    std::string not_judged;
+    std::string all_pass;
+    std::string one_fails;
+    std::string one_undecided;
+    std::string none_judged;
+    std::string recommended;
+    std::string verdict_note; ///< place, symbol, remark
+    std::string source_caption;
+    std::string task;
+    std::string clause;
+    std::string source;
+    std::string recalled;
+
+    // glare, energy, scenes
+    std::string glare;
+    std::string glare_intro;
+    std::string glare_caption;
+    std::string observers;
+    std::string sight_lines;
+    std::string scale;
+    std::string worst;
+    std::string eye;
+    std::string looking;
+    std::string by_table;
+    std::string ratings_caption; ///< observers, scale
+    std::string background;
+    std::string energy;
+    std::string energy_caption;
+    std::string watts;
+    std::string density;
+    std::string density_per_100_lux;
+    std::string leni;
+    std::string scenes;
+    std::string scenes_intro;
+    std::string scene_caption; ///< scene
+    std::string maintenance_caption;
+    std::string maintenance_factor;
+
     // overview
     std::string overview;
     std::string overview_intro; ///< confidence
