@@ -18,7 +18,7 @@ if(library_type STREQUAL STATIC_LIBRARY)
   # Who links a static isolux links what it is made of, too.
   string(CONCAT ISOLUX_FIND_DEPENDENCIES
          "find_dependency(TBB)\nfind_dependency(fmt)\nfind_dependency(OpenMesh)\n"
-         "find_dependency(OpenSSL COMPONENTS Crypto)\nfind_dependency(hwy)\nfind_dependency(pugixml)\nfind_dependency(embree ${EMBREE_VERSION_MAJOR})\n")
+         "find_dependency(OpenSSL COMPONENTS Crypto)\nfind_dependency(hwy)\nfind_dependency(pugixml)\nfind_dependency(OpenEXR)\nfind_dependency(embree ${EMBREE_VERSION_MAJOR})\n")
 endif()
 configure_package_config_file(cmake/isolux-config.cmake.in ${PROJECT_BINARY_DIR}/isolux-config.cmake
                               INSTALL_DESTINATION ${ISOLUX_CMAKE_DIR})

@@ -21,7 +21,7 @@ endforeach()
 # third-party header: the rooms whose .cpp files may include it
 set(foreign_families
     "tbb/=base" "oneapi/=base" "embree[34]/=scene" "OpenMesh/=scene" "hwy/=transport" "nlohmann/=io,cli"
-    "pugixml=photometry" "zip.h=photometry" "valijson/=io" "openssl/=io" "xlsxwriter=io" "CLI/=cli" "vtk=viz" "cairo=viz")
+    "pugixml=photometry" "zip.h=photometry" "valijson/=io" "openssl/=io" "xlsxwriter=io" "CLI/=cli" "vtk=viz" "cairo=viz" "OpenEXR/=io")
 
 set(problems)
 

@@ -27,6 +27,7 @@ constexpr std::array verbs{
     Verb{"run", add_run},
     Verb{"sense", add_sense},
     Verb{"luminance", add_luminance},
+    Verb{"render", add_render},
     Verb{"check", add_check},
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},

@@ -1,3 +1,4 @@
+#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,7 @@
 #include "isolux/cli/terminal.h"
 #include "isolux/cli/verbs.h"
 #include "isolux/cli/verdict_report.h"
+#include "isolux/cli/view_files.h"
 #include "isolux/io/file_name.h"
 #include "isolux/io/results_json.h"
 #include "isolux/io/safe_file.h"
@@ -37,8 +39,13 @@ struct RunOptions {
     CalculationOptions calculation;
     std::string time;
     std::string folder;
+    bool has_no_views = false;
     bool is_quiet = false;
 };
+
+/// Rays a pixel of the views; fewer where the tolerance is reached before. `isolux render` does
+/// better pictures.
+constexpr std::size_t samples_of_views = 8;
 
 /// Stems of one file a surface, none of which is `reserved`.
 std::vector<std::string> surface_stems(const Results& results, const char* reserved) {
@@ -116,6 +123,29 @@ to_report(const ResultsDocument& document, const Scene& scene, const fs::path& f
                          (folder / "report.pdf").string());
 }
 
+/// The project's views, within what is left of the time. @return a line about each
+std::vector<std::string> render_views_of(const Scene& scene,
+                                         const std::vector<View>& views,
+                                         const Settings& settings,
+                                         double seconds_used,
+                                         const fs::path& folder,
+                                         const RunOptions& options,
+                                         std::stop_token stop) {
+    if (views.empty() || options.has_no_views)
+        return {};
+    make_folder(folder);
+    RenderSettings render;
+    render.samples = samples_of_views;
+    render.tolerance = settings.tolerance;
+    render.seed = settings.seed;
+    render.direct_only = settings.direct_only;
+    if (settings.time_limit)
+        render.time_limit = *settings.time_limit - std::chrono::duration<double>(seconds_used);
+    return render_views(
+        {scene, views, render, folder, false, !options.is_quiet && is_progress_wanted()},
+        std::move(stop));
+}
+
 ExitCode run_project(const RunOptions& options) {
     const InterruptGuard interrupt; // before the first worker thread starts
     const auto limit = limit_threads(options.calculation);
@@ -153,6 +183,18 @@ ExitCode run_project(const RunOptions& options) {
 
     if (!options.is_quiet)
         print(to_report(document, scene, folder));
+    const std::vector<std::string> pictures = render_views_of(scene,
+                                                              project.views,
+                                                              settings,
+                                                              document.results.wall_seconds,
+                                                              folder / "views",
+                                                              options,
+                                                              interrupt.token());
+    if (!options.is_quiet && !pictures.empty()) {
+        for (const std::string& picture : pictures)
+            print(picture + "\n");
+        print("pictures: " + (folder / "views").string() + "\n");
+    }
     flush_output();
     for (const Message& notice : document.results.notices)
         report_notice(notice);
@@ -165,7 +207,8 @@ Action add_run(CLI::App& verb) {
     verb.description("Calculate everything in a project");
     verb.footer(R"(
 Writes into DIR: results.json and results.xlsx; for each calculation surface a .csv and a .vtp
-(ParaView); room.vtp; maps/ with false-colour maps and the plan as .svg and .png; report.html
+(ParaView); room.vtp; maps/ with false-colour maps and the plan as .svg and .png; views/ with
+the project's views as .exr and .png (quick ones: `isolux render` does better); report.html
 and report.pdf. Prints a summary.
 
 Ctrl-C stops and writes what there is, marked as not converged; a second Ctrl-C ends at once.
@@ -186,6 +229,7 @@ Ctrl-C (results written) or failed; 2 the project or the options are wrong; 130 
         ->type_name("DIR");
     verb.add_option("--time", options->time, "Stop after this time: 60s, 1.5min, 2h")
         ->type_name("TIME");
+    verb.add_flag("--no-views", options->has_no_views, "Leave out the pictures of the views");
     verb.add_flag("--quiet", options->is_quiet, "No progress, no summary; notices remain");
     return [options] { return run_project(*options); };
 }

@@ -1,0 +1,373 @@
+#include "isolux/calc/render.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <ctime>
+
+#include "isolux/base/parallel.h"
+#include "isolux/calc/view_render.h"
+#include "isolux/filter/axis_aligned.h"
+#include "isolux/filter/denoiser.h"
+
+namespace isolux {
+
+namespace {
+
+constexpr std::size_t most_samples = 65535;
+constexpr std::size_t tile_rows_at_once = 4; ///< between looks at the clock
+
+double cpu_seconds() {
+    return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
+}
+
+class Rendering {
+public:
+    Rendering(const Scene& scene,
+              const View& view,
+              const RenderSettings& settings,
+              const Control& control)
+        : view_(view), settings_(settings), control_(control),
+          denoiser_(load_denoiser(settings)), setup_(scene, view, settings_),
+          buffers_(make_view_buffers(setup_)) {
+        const std::size_t n = setup_.size.pixels();
+        pilot_.is_near_edge.assign(n, 0);
+        for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo})
+            p->assign(n, 0.0F);
+        sums_.illuminance.assign(n, 0.0F);
+        sums_.replicate.assign(picture_replicates, Plane(n, 0.0F));
+        sums_.passes.assign(n, 0);
+        for (LightLayer& layer : buffers_.lights) {
+            layer.visible_a.assign(n, 0.0F);
+            layer.visible_b.assign(n, 0.0F);
+        }
+    }
+
+    ViewPicture run() {
+        const std::size_t samples = std::clamp<std::size_t>(settings_.samples, 2, most_samples);
+        if (!walk_pilot())
+            return finish();
+        std::size_t next_check = 2 * picture_replicates;
+        for (std::uint32_t pass = 0; pass < samples; ++pass) {
+            if (!run_pass(pass, samples))
+                break;
+            // Complete sets of replicates only, at doublings.
+            if (settings_.tolerance && pass + 1 == next_check) {
+                next_check *= 2;
+                if (error_of_raw() <= *settings_.tolerance)
+                    break;
+            }
+        }
+        return finish();
+    }
+
+private:
+    /// Before the long work, so that its absence is told at once.
+    static std::optional<OpenImageDenoise> load_denoiser(const RenderSettings& settings) {
+        if (settings.filter != PictureFilter::oidn)
+            return std::nullopt;
+        return OpenImageDenoise();
+    }
+
+    bool walk_pilot() {
+        constexpr std::size_t rows_at_once = 32;
+        for (std::size_t row = 0; row < setup_.size.rows; row += rows_at_once) {
+            if (must_stop())
+                return false;
+            report("pilot", 0.0);
+            run_pilot(
+                setup_, row, std::min(setup_.size.rows, row + rows_at_once), buffers_, pilot_);
+        }
+        return true;
+    }
+
+    bool run_pass(std::uint32_t pass, std::size_t samples) {
+        if (must_stop())
+            return false;
+        const std::size_t slices = setup_.slices_a_side * setup_.slices_a_side;
+        const std::uint32_t replicate = pass % picture_replicates;
+        const std::uint64_t unit = pass / picture_replicates;
+        const PathRandomness random(settings_.seed, replicate);
+        std::vector<VertexCache> caches(slices);
+        for_each_index(slices, 1, [&](std::size_t s) {
+            caches[s] = build_vertex_cache(setup_.scene,
+                                           setup_.emission,
+                                           random,
+                                           (unit * slices + s) * setup_.paths_a_slice,
+                                           setup_.paths_a_slice,
+                                           setup_.counts);
+        });
+        const std::size_t tile_columns = (setup_.size.columns + tile_side - 1) / tile_side;
+        const std::size_t tile_rows = (setup_.size.rows + tile_side - 1) / tile_side;
+        for (std::size_t first = 0; first < tile_rows; first += tile_rows_at_once) {
+            if (must_stop())
+                return false;
+            report("rendering",
+                   (static_cast<double>(pass)
+                    + static_cast<double>(first) / static_cast<double>(tile_rows))
+                       / static_cast<double>(samples));
+            const std::size_t end = std::min(tile_rows, first + tile_rows_at_once);
+            for_each_index((end - first) * tile_columns, 1, [&](std::size_t t) {
+                add_samples(setup_,
+                            pass,
+                            caches,
+                            t % tile_columns * tile_side,
+                            (first + t / tile_columns) * tile_side,
+                            pilot_,
+                            buffers_,
+                            sums_);
+            });
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool must_stop() {
+        const bool stop =
+            control_.stop.stop_requested()
+            || (settings_.time_limit
+                && std::chrono::steady_clock::now() - start_ > *settings_.time_limit);
+        interrupted_ = interrupted_ || stop;
+        return stop;
+    }
+
+    void report(const char* stage, double fraction) const {
+        if (!control_.progress)
+            return;
+        const double seconds = this->seconds();
+        Progress p;
+        p.stage = stage;
+        p.fraction = fraction;
+        p.seconds_left = fraction > 0.02 ? seconds * (1.0 - fraction) / fraction : -1.0;
+        control_.progress(p);
+    }
+
+    [[nodiscard]] double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+    /// Samples of one replicate through a pixel after `passes` passes.
+    static std::size_t samples_of(std::size_t replicate, std::size_t passes) noexcept {
+        return passes > replicate ? (passes - replicate - 1) / picture_replicates + 1 : 0;
+    }
+
+    /// METHODS eq. (90).
+    [[nodiscard]] double standard_error(std::size_t pixel) const noexcept {
+        const std::size_t passes = sums_.passes[pixel];
+        if (passes < 2)
+            return 0.0;
+        double total = 0.0;
+        for (const Plane& p : sums_.replicate)
+            total += static_cast<double>(p[pixel]);
+        const double mean = total / static_cast<double>(passes);
+        double spread = 0.0;
+        std::size_t groups = 0;
+        for (std::size_t r = 0; r < picture_replicates; ++r) {
+            const double n = static_cast<double>(samples_of(r, passes));
+            if (n == 0.0)
+                continue;
+            ++groups;
+            const double d = static_cast<double>(sums_.replicate[r][pixel]) / n - mean;
+            spread += n * d * d;
+        }
+        return std::sqrt(spread / static_cast<double>(groups - 1)
+                         / static_cast<double>(passes));
+    }
+
+    /// METHODS eq. (91).
+    [[nodiscard]] double error_of_raw() const {
+        const std::size_t n = setup_.size.pixels();
+        double mean = 0.0;
+        for (std::size_t i = 0; i < n; ++i)
+            mean += mean_y(i) / static_cast<double>(n);
+        if (!(mean > 0.0))
+            return 0.0;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < n; ++i) {
+            const double e = standard_error(i);
+            const double y = mean_y(i);
+            sum += e * e / (y * y + 0.01 * mean * mean);
+        }
+        return std::sqrt(sum / static_cast<double>(n));
+    }
+
+    [[nodiscard]] double mean_y(std::size_t pixel) const noexcept {
+        double total = 0.0;
+        for (const Plane& p : sums_.replicate)
+            total += static_cast<double>(p[pixel]);
+        return total / std::max<double>(1.0, sums_.passes[pixel]);
+    }
+
+    /// Sums become means, in the buffers and in the picture.
+    ViewPicture finish() {
+        const std::size_t n = setup_.size.pixels();
+        ViewPicture picture;
+        picture.view = view_.name;
+        picture.size = setup_.size;
+        picture.error = error_of_raw();
+        picture.standard_error.resize(n);
+        picture.samples.resize(n);
+        for (std::size_t i = 0; i < n; ++i) {
+            picture.standard_error[i] = static_cast<float>(standard_error(i));
+            picture.samples[i] = static_cast<float>(sums_.passes[i]);
+        }
+        divide_buffers();
+        divide_sums();
+        picture.raw = std::move(sums_.raw);
+        picture.direct = std::move(sums_.direct);
+        picture.emission = std::move(sums_.emission);
+        picture.albedo = std::move(sums_.albedo);
+        picture.illuminance = std::move(sums_.illuminance);
+        picture.indirect = subtract_parts(picture);
+        picture.bytes_a_pixel = bytes_held();
+        sums_.replicate.clear();
+        picture.is_preview = settings_.is_preview;
+        picture.interrupted = interrupted_;
+        if (settings_.filter == PictureFilter::axis_aligned)
+            filter_along_surfaces(picture);
+        take_geometry(picture);
+        if (denoiser_)
+            denoise(picture);
+        picture.wall_seconds = seconds();
+        picture.cpu_seconds = cpu_seconds() - cpu_start_;
+        return picture;
+    }
+
+    void divide_buffers() {
+        PixelGeometry& g = buffers_.geometry;
+        const auto scale3 = [](Planes3& p, std::size_t i, float s) {
+            p.x[i] *= s;
+            p.y[i] *= s;
+            p.z[i] *= s;
+        };
+        const auto over = [](float count) { return count > 0.0F ? 1.0F / count : 0.0F; };
+        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
+            const std::size_t passes = sums_.passes[i];
+            const auto of_a = static_cast<float>(samples_of(0, passes) + samples_of(2, passes));
+            const auto of_b = static_cast<float>(samples_of(1, passes) + samples_of(3, passes));
+            for (PixelSurface* s : {&g.first, &g.second}) {
+                scale3(s->reflected_a, i, over(of_a));
+                scale3(s->reflected_b, i, over(of_b));
+            }
+            scale3(buffers_.remainder_a, i, over(of_a));
+            scale3(buffers_.remainder_b, i, over(of_b));
+            scale3(buffers_.indirect.a, i, over(g.samples_a[i]));
+            scale3(buffers_.indirect.b, i, over(g.samples_b[i]));
+            for (LightLayer& layer : buffers_.lights) {
+                layer.visible_a[i] =
+                    g.samples_a[i] > 0.0F ? layer.visible_a[i] / g.samples_a[i] : 1.0F;
+                layer.visible_b[i] =
+                    g.samples_b[i] > 0.0F ? layer.visible_b[i] / g.samples_b[i] : 1.0F;
+            }
+        }
+    }
+
+    void divide_sums() {
+        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
+            const float inverse =
+                1.0F / static_cast<float>(std::max<std::uint16_t>(1, sums_.passes[i]));
+            for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo}) {
+                p->x[i] *= inverse;
+                p->y[i] *= inverse;
+                p->z[i] *= inverse;
+            }
+            const PixelGeometry& g = buffers_.geometry;
+            const float on_surface = g.samples_a[i] + g.samples_b[i];
+            sums_.illuminance[i] = on_surface > 0.0F ? sums_.illuminance[i] / on_surface : 0.0F;
+        }
+    }
+
+    /// What is left of the whole without the other parts.
+    static Planes3 subtract_parts(const ViewPicture& p) {
+        Planes3 rest = p.raw;
+        for (auto plane : {&Planes3::x, &Planes3::y, &Planes3::z})
+            for (std::size_t i = 0; i < (rest.*plane).size(); ++i)
+                (rest.*plane)[i] = std::max(
+                    0.0F, (rest.*plane)[i] - (p.direct.*plane)[i] - (p.emission.*plane)[i]);
+        return rest;
+    }
+
+    void filter_along_surfaces(ViewPicture& picture) {
+        report("filtering", 1.0);
+        FilterSettings settings = settings_.is_preview ? preview_filter() : picture_filter();
+        double passes = 0.0;
+        for (const float s : picture.samples)
+            passes += static_cast<double>(s);
+        settings.samples = std::max(1.0, passes / static_cast<double>(setup_.size.pixels()));
+        FilteredPicture filtered = filter_picture(buffers_, settings);
+        picture.filtered = std::move(filtered.colour);
+        picture.filtered_error = std::move(filtered.standard_error);
+        picture.filter_width = std::move(filtered.width_indirect);
+        picture.filter = "axis-aligned";
+        // What reaches the eye over what the surface reflects of it.
+        const PixelGeometry& g = buffers_.geometry;
+        picture.filtered_illuminance.assign(setup_.size.pixels(), 0.0F);
+        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
+            const Rgb reflected = g.first.reflected_a.colour(i) + g.first.reflected_b.colour(i)
+                                  + g.second.reflected_a.colour(i)
+                                  + g.second.reflected_b.colour(i);
+            const double share = 0.5 * luminance_sum(reflected);
+            if (share > 0.0)
+                picture.filtered_illuminance[i] = static_cast<float>(
+                    luminance_sum(filtered.direct.colour(i) + filtered.indirect.colour(i))
+                    / share);
+        }
+    }
+
+    void denoise(ViewPicture& picture) {
+        report("denoising", 1.0);
+        // Through a lens every ray of a pixel may show something else.
+        constexpr std::size_t many_samples = 16;
+        const bool is_noise_free = !setup_.camera.has_lens() && !picture.interrupted
+                                   && settings_.samples >= many_samples;
+        picture.filtered = denoiser_->apply(
+            {picture.size, &picture.raw, &picture.albedo, &picture.normal, is_noise_free});
+        picture.filter = "oidn";
+    }
+
+    void take_geometry(ViewPicture& picture) {
+        PixelGeometry& g = buffers_.geometry;
+        picture.normal = std::move(g.first.normal);
+        picture.position = std::move(g.position);
+        picture.depth = std::move(g.depth);
+        picture.object = std::move(g.first.object);
+        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
+            if (picture.object[i] == 0)
+                continue;
+            picture.position.x[i] += static_cast<float>(g.origin.x);
+            picture.position.y[i] += static_cast<float>(g.origin.y);
+            picture.position.z[i] += static_cast<float>(g.origin.z);
+        }
+        for (const Surface& s : setup_.scene.surfaces)
+            picture.object_names.push_back(s.name);
+    }
+
+    [[nodiscard]] std::size_t bytes_held() const noexcept {
+        constexpr std::size_t sums = 4 * 3 + 1 + picture_replicates; // floats
+        constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
+        return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
+               + sizeof(std::uint16_t) + 1;
+    }
+
+    const View& view_;
+    RenderSettings settings_;
+    const Control& control_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double cpu_start_ = cpu_seconds();
+    std::optional<OpenImageDenoise> denoiser_;
+    ViewSetup setup_;
+    PixelBuffers buffers_;
+    PilotPlanes pilot_;
+    PictureSums sums_;
+    bool interrupted_ = false;
+};
+
+} // namespace
+
+ViewPicture render(const Scene& scene,
+                   const View& view,
+                   const RenderSettings& settings,
+                   const Control& control) {
+    return Rendering(scene, view, settings, control).run();
+}
+
+} // namespace isolux

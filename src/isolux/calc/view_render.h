@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "isolux/calc/render.h"
+#include "isolux/transport/double_local_estimator.h"
+#include "isolux/transport/mirrored_light.h"
+#include "isolux/transport/seen_light.h"
+
+/// The parts of the renderer: what they share, the pilot, one pass over the picture.
+namespace isolux {
+
+/// Independent replicates of a picture; pass k belongs to replicate k mod 4. Even ones make
+/// half A, odd ones half B.
+inline constexpr std::uint32_t picture_replicates = 4;
+
+/// Pixels of a side of the tiles that are worked on at a time.
+inline constexpr std::size_t tile_side = 16;
+
+/// Pilot rays a pixel; previews make do with fewer.
+[[nodiscard]] inline std::size_t pilot_rays(const RenderSettings& settings) noexcept {
+    return settings.is_preview ? 2 : 4;
+}
+
+/// What every part of the renderer knows; nothing of it changes while a picture is made.
+struct ViewSetup {
+    ViewSetup(const Scene& scene, const View& view, const RenderSettings& settings);
+
+    const Scene& scene;
+    const RenderSettings& settings;
+    PictureSize size;
+    CameraRays camera;
+    Emission emission;
+    MirrorImages images;
+    SeenLight light;
+    MirroredLight mirrored;
+    DoubleLocalEstimator estimator;
+    OpeningDetail detail = OpeningDetail::fine;
+
+    /// Luminaires with a layer of their own, and those that share the last one.
+    std::vector<std::size_t> single;
+    std::vector<std::size_t> merged;
+
+    std::size_t slices_a_side = 8; ///< the picture's pixels take turns with so many slices^2
+    std::size_t paths_a_slice = 128;
+    EffectiveCounts counts;
+    double edge = 0.0; ///< m, METHODS eq. (33)
+
+    [[nodiscard]] std::size_t layers() const noexcept {
+        return single.size() + (merged.empty() ? 0 : 1);
+    }
+};
+
+/// The buffers with their lights, nothing in them yet.
+[[nodiscard]] PixelBuffers make_view_buffers(const ViewSetup& setup);
+
+/// What the pilot found beside the buffers' own planes.
+struct PilotPlanes {
+    std::vector<std::uint8_t> is_near_edge; ///< the majority surface is traced
+};
+
+/// Sums over the samples of a picture; divided by their number at the end.
+struct PictureSums {
+    Planes3 raw, direct, emission, albedo;
+    Plane illuminance;                 ///< lx, of samples on the majority surface
+    std::vector<Plane> replicate;      ///< Y of each replicate
+    std::vector<std::uint16_t> passes; ///< through the pixel so far
+};
+
+/// The pilot of the pixels in rows [first_row, end_row): surfaces, geometry, unshadowed light,
+/// occluders, distances. METHODS "Pictures".
+void run_pilot(const ViewSetup& setup,
+               std::size_t first_row,
+               std::size_t end_row,
+               PixelBuffers& buffers,
+               PilotPlanes& pilot);
+
+/// One ray through every pixel of one tile, added to the sums.
+/// @param caches  the slices of this pass
+void add_samples(const ViewSetup& setup,
+                 std::uint32_t pass,
+                 std::span<const VertexCache> caches,
+                 std::size_t first_column,
+                 std::size_t first_row,
+                 const PilotPlanes& pilot,
+                 PixelBuffers& buffers,
+                 PictureSums& sums);
+
+/// The surface an eye's path shows first, mirrors left out; nothing where there is none.
+[[nodiscard]] const SeenSurface* primary_of(const EyePath& path) noexcept;
+
+/// Number that buffers hold for a surface.
+[[nodiscard]] inline std::uint32_t object_of(const Scene& scene,
+                                             const SeenSurface& seen) noexcept {
+    return static_cast<std::uint32_t>(scene.triangle(seen.triangle).surface.index()) + 1U;
+}
+
+/// Normals of one surface differ by no more than 10 degrees: its cosine.
+inline constexpr double same_normal = 0.984807753012208;
+
+} // namespace isolux

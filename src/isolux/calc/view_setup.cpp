@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "isolux/base/parallel.h"
+#include "isolux/calc/view_render.h"
+
+namespace isolux {
+
+namespace {
+
+constexpr std::size_t pilot_paths = 512;
+constexpr std::uint32_t pilot_replicate = 0xfffffcU;
+
+/// METHODS eq. (33), with the paths of all slices: neighbouring pixels see them all.
+constexpr double edge_factor = 0.4;
+constexpr double widest_edge = 0.5; ///< m
+
+/// Layers of luminaires' own: fewer in large pictures, for their memory.
+constexpr std::size_t most_layers = 16;
+constexpr std::size_t most_layers_if_large = 8;
+constexpr std::size_t large_picture = 2'000'000; ///< pixels
+
+/// Rays that find out which luminaires matter, across and down.
+constexpr std::size_t survey_side = 24;
+
+/// Luminaires by the light they send to what the view shows, brightest first.
+std::vector<std::size_t> rank_luminaires(const ViewSetup& setup) {
+    const std::size_t count = setup.light.luminaires();
+    std::vector<double> sums(count, 0.0);
+    EyePath path;
+    std::uint64_t rays = 0;
+    for (std::size_t j = 0; j < survey_side; ++j)
+        for (std::size_t i = 0; i < survey_side; ++i) {
+            const auto share = [](std::size_t k) {
+                return (static_cast<double>(k) + 0.5) / static_cast<double>(survey_side);
+            };
+            const auto line =
+                setup.camera.sight_line(share(i) * static_cast<double>(setup.size.columns),
+                                        share(j) * static_cast<double>(setup.size.rows));
+            if (!line)
+                continue;
+            const PointRandomness random(
+                setup.settings.seed, StreamPurpose::pilot, 1, j * survey_side + i);
+            NumberSequence numbers(random, 0);
+            follow_eye(setup.scene, setup.emission, *line, numbers, path, rays);
+            const SeenSurface* seen = primary_of(path);
+            if (seen == nullptr)
+                continue;
+            for (std::size_t l = 0; l < count; ++l)
+                sums[l] +=
+                    luminance_sum(seen->diffuse)
+                    * setup.light.unshadowed(l, seen->at, seen->normal, OpeningDetail::coarse);
+        }
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return sums[a] > sums[b];
+    });
+    return order;
+}
+
+/// A rectangle of the same extent as a luminaire's opening.
+LightLayer layer_of(const ViewSetup& setup, std::size_t l) {
+    const Luminaire& luminaire = setup.emission.luminaire(l);
+    const Frame& frame = luminaire.placement.world_from_luminaire;
+    LightLayer layer;
+    layer.colour = setup.emission.colour(l);
+    layer.centre = frame.origin;
+    const UnitVector3 n = setup.light.normal_of(l);
+    // Sides along the luminaire's own axes, as far as they lie across its normal.
+    const bool is_upright = std::abs(dot(n, frame.x)) > 0.9;
+    const UnitVector3 t = is_upright ? frame.y : frame.x;
+    layer.frame = {t, UnitVector3(cross(n, t)), n};
+    double low_t = 0.0;
+    double high_t = 0.0;
+    double low_b = 0.0;
+    double high_b = 0.0;
+    for (const Facet& f : luminaire.opening.facets)
+        for (const Point3& p : f.vertices) {
+            const Vector3 d = p - layer.centre;
+            low_t = std::min(low_t, dot(d, layer.frame.t));
+            high_t = std::max(high_t, dot(d, layer.frame.t));
+            low_b = std::min(low_b, dot(d, layer.frame.b));
+            high_b = std::max(high_b, dot(d, layer.frame.b));
+        }
+    layer.side_t = high_t - low_t;
+    layer.side_b = high_b - low_b;
+    return layer;
+}
+
+} // namespace
+
+ViewSetup::ViewSetup(const Scene& of, const View& view, const RenderSettings& asked)
+    : scene(of), settings(asked), size{view.camera.columns, view.camera.rows},
+      camera(view.camera), emission(of), images(of), light(of, emission),
+      mirrored(of, emission, images), estimator(of, emission, images),
+      detail(asked.is_preview ? OpeningDetail::coarse : OpeningDetail::fine) {
+    // Few pixels are worth few paths.
+    if (size.pixels() < 65536)
+        slices_a_side = size.pixels() < 4096 ? 2 : 4;
+    const double slices = static_cast<double>(slices_a_side * slices_a_side);
+    const double paths = static_cast<double>(paths_a_slice);
+    double vertices_per_path = 1.0;
+    if (emission.total_flux() > 0.0) {
+        const VertexCache pilot =
+            build_vertex_cache(scene,
+                               emission,
+                               PathRandomness(settings.seed, pilot_replicate),
+                               0,
+                               pilot_paths,
+                               EffectiveCounts{});
+        vertices_per_path = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
+    }
+    counts = {paths, paths * vertices_per_path, 1.0, 1.0};
+    edge = std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / (paths * slices)));
+
+    const std::vector<std::size_t> order = rank_luminaires(*this);
+    const std::size_t most = size.pixels() > large_picture ? most_layers_if_large : most_layers;
+    const std::size_t own = order.size() <= most ? order.size() : most - 1;
+    single.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(own));
+    merged.assign(order.begin() + static_cast<std::ptrdiff_t>(own), order.end());
+}
+
+PixelBuffers make_view_buffers(const ViewSetup& setup) {
+    std::vector<LightLayer> layers;
+    for (const std::size_t l : setup.single)
+        layers.push_back(layer_of(setup, l));
+    if (!setup.merged.empty()) {
+        LightLayer rest;
+        rest.merged = true;
+        rest.colour = {};
+        // One colour for all of them, by their flux.
+        double flux = 0.0;
+        for (const std::size_t l : setup.merged) {
+            const double f = in_lumen(setup.emission.luminaire(l).flux);
+            rest.colour += f * setup.emission.colour(l);
+            flux += f;
+        }
+        rest.colour = flux > 0.0 ? (1.0 / flux) * rest.colour : Rgb::grey(1.0);
+        layers.push_back(std::move(rest));
+    }
+    PixelBuffers buffers = make_pixel_buffers(setup.size, std::move(layers));
+    buffers.geometry.origin = midpoint(setup.scene.bounds.lower, setup.scene.bounds.upper);
+    return buffers;
+}
+
+const SeenSurface* primary_of(const EyePath& path) noexcept {
+    for (const SeenSurface& s : path.surfaces)
+        if (s.reflections == 0)
+            return &s;
+    return nullptr;
+}
+
+} // namespace isolux

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "isolux/transport/emission.h"
+
+/// Direct light on surfaces that a picture shows, luminaire by luminaire: how much it would be
+/// with nothing in the way, and what stands in the way.
+namespace isolux {
+
+/// How finely an opening's unshadowed light is summed.
+enum class OpeningDetail : std::uint8_t {
+    fine,  ///< METHODS eq. (89)
+    coarse ///< previews: one point an opening farther away than twice its size
+};
+
+/// What one look at a luminaire found.
+struct LookResult {
+    double visible = 0.0; ///< V, 0..1
+    double weight = 0.0;  ///< illuminance of the look over its density, lx; 0 if V is expected
+};
+
+/// Occluders on the line between a surface and a luminaire, as the filter
+/// wants them: slopes d1/d2 - 1, distances along the luminaire's normal, METHODS eq. (93).
+struct OccluderSlopes {
+    bool is_occluded = false;
+    double nearest_surface = 0.0; ///< of the occluder next to the surface: the smallest slope
+    double nearest_light = 0.0;   ///< of the one next to the luminaire: the largest
+};
+
+/// The luminaires of a scene, seen from surfaces. Refers to its arguments.
+class SeenLight {
+public:
+    SeenLight(const Scene& scene, const Emission& emission);
+
+    [[nodiscard]] std::size_t luminaires() const noexcept { return emission_->luminaires(); }
+
+    /// Illuminance of luminaire `l` on a surface if nothing stands between, lx: exact for point
+    /// sources and Lambertian flat openings, a product rule over the opening else. METHODS eq.
+    /// (89)
+    [[nodiscard]] double unshadowed(std::size_t l,
+                                    const Point3& at,
+                                    const UnitVector3& normal,
+                                    OpeningDetail detail) const noexcept;
+
+    /// Looks at one point of the luminaire, chosen by u and v. @param expected  a visibility
+    /// that needs no weight
+    [[nodiscard]] LookResult look(std::size_t l,
+                                  const Point3& at,
+                                  const UnitVector3& normal,
+                                  double u,
+                                  double v,
+                                  double expected,
+                                  std::uint64_t& rays) const noexcept;
+
+    /// Looks for what stands between, from both ends.
+    [[nodiscard]] OccluderSlopes find_occluders(std::size_t l,
+                                                const Point3& at,
+                                                const UnitVector3& normal,
+                                                double u,
+                                                double v,
+                                                std::uint64_t& rays) const noexcept;
+
+    /// Towards the side a flat opening shines to; of a solid one, the luminaire's nadir.
+    [[nodiscard]] UnitVector3 normal_of(std::size_t l) const noexcept;
+
+private:
+    [[nodiscard]] double
+    from_centre(std::size_t l, const Point3& at, const UnitVector3& normal) const noexcept;
+    [[nodiscard]] double from_facet(std::size_t l,
+                                    std::size_t facet,
+                                    const Point3& at,
+                                    const UnitVector3& normal,
+                                    OpeningDetail detail) const noexcept;
+
+    const Scene* scene_;
+    const Emission* emission_;
+};
+
+} // namespace isolux

@@ -1,0 +1,246 @@
+// Rendered pictures against closed answers: METHODS 7.2 row 20 (the furnace through mirrors and
+// panes), a wall, a luminaire, and the same bits for any number of threads (row 25).
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "isolux/base/parallel.h"
+#include "isolux/calc/luminance.h"
+#include "isolux/calc/render.h"
+
+#include "support/statistics.h"
+#include "support/test_scene.h"
+
+namespace isolux {
+namespace {
+
+using test::Builder;
+
+constexpr double pi = std::numbers::pi;
+
+View view_of(const Point3& position,
+             const Point3& target,
+             double field_of_view,
+             std::size_t columns,
+             std::size_t rows) {
+    View v;
+    v.name = "test";
+    v.camera.position = position;
+    v.camera.target = target;
+    v.camera.field_of_view = degrees(field_of_view);
+    v.camera.columns = columns;
+    v.camera.rows = rows;
+    return v;
+}
+
+RenderSettings settings_of(std::size_t samples, PictureFilter filter, std::uint64_t seed = 1) {
+    RenderSettings s;
+    s.samples = samples;
+    s.filter = filter;
+    s.seed = seed;
+    return s;
+}
+
+/// All walls emit M and reflect rho; a mirror and a pane that lose nothing stand in it.
+Scene furnace(double exitance, double rho) {
+    Builder b;
+    const Point3 p{0, 0, 0};
+    const Vector3 x{3, 0, 0};
+    const Vector3 y{0, 2.5, 0};
+    const Vector3 z{0, 0, 2};
+    const auto m = b.add_diffuse(rho);
+    b.add_room(p, {3, 2.5, 2}, m, m, m);
+    b.add_panel(p, x, y, exitance * 7.5);
+    b.add_panel(p + z, y, x, exitance * 7.5);
+    b.add_panel(p, y, z, exitance * 5.0);
+    b.add_panel(p + x, z, y, exitance * 5.0);
+    b.add_panel(p, z, x, exitance * 6.0);
+    b.add_panel(p + y, x, z, exitance * 6.0);
+    const auto mirror = b.add_material({"mirror", Opaque{Rgb::grey(0.0), 1.0}, Sides::both});
+    const auto glass = b.add_material({"glass", ClearPane{1.52, 1.0}, Sides::both});
+    b.add_quad({1.0, 0.6, 0.4}, {0, 1.2, 0}, {0, 0, 1.2}, mirror);
+    b.add_quad({2.0, 0.5, 0.3}, {0, 1.4, 0.2}, {0, 0, 1.3}, glass);
+    return b.build();
+}
+
+double mean_of(const ViewPicture& p) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < p.size.pixels(); ++i)
+        sum += luminance_sum(p.raw.colour(i)) / static_cast<double>(p.size.pixels());
+    return sum;
+}
+
+TEST(RenderedFurnace, IsOneLuminanceThroughMirrorsAndPanes) {
+    const Scene scene = furnace(100.0, 0.6);
+    const double exact = 100.0 / (pi * 0.4);
+    const View view = view_of({2.6, 0.4, 1.0}, {0.8, 1.6, 0.9}, 80.0, 12, 8);
+    const Estimate e = test::over_seeds([&](std::size_t s) {
+        return mean_of(render(scene, view, settings_of(2, PictureFilter::none, s + 1)));
+    });
+    EXPECT_LT(std::abs(test::z_score(e, exact)), test::z_limit)
+        << e.mean << " +- " << e.standard_error << ", exact " << exact;
+    EXPECT_LT(e.standard_error, 0.005 * exact);
+}
+
+TEST(RenderedWall, HasIlluminanceTimesReflectanceOverPi) {
+    Builder b;
+    b.add_quad({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, b.add_diffuse(0.4));
+    b.add_point({0.2, 0.1, 1.5}, b.add_isotropic_type(4.0 * pi * 100.0)); // 100 cd
+    const Scene scene = b.build();
+    // a narrow view straight down: within a pixel the illuminance hardly changes
+    View view = view_of({0, 0, 1}, {0, 0, 0}, 40.0, 41, 41);
+    const ViewPicture p = render(scene, view, settings_of(4, PictureFilter::none));
+    const CameraRays rays(view.camera);
+    for (const std::size_t i : {20u * 41u + 20u, 3u * 41u + 30u, 40u * 41u + 2u}) {
+        const auto line = rays.sight_line(i % 41 + 0.5, i / 41 + 0.5);
+        const Point3 at =
+            line->eye - (line->eye.z / line->direction.z()) * Vector3(line->direction);
+        const Vector3 d = Point3{0.2, 0.1, 1.5} - at;
+        const double exact = 100.0 * d.z / std::pow(length(d), 3) * 0.4 / pi;
+        EXPECT_NEAR(luminance_sum(p.raw.colour(i)), exact, 2e-3 * exact) << i;
+        EXPECT_NEAR(p.albedo.y[i], 0.4, 1e-6);
+        EXPECT_NEAR(p.normal.z[i], 1.0, 1e-6);
+        EXPECT_NEAR(p.position.x[i], at.x, 0.02);
+        EXPECT_EQ(p.object[i], 1u);
+        EXPECT_NEAR(p.illuminance[i], exact * pi / 0.4, 2e-3 * exact * pi / 0.4);
+    }
+}
+
+TEST(RenderedLuminaire, HasTheLuminanceOfItsOpening) {
+    Builder b;
+    b.add_panel({-1, -1, 2}, {0, 2, 0}, {2, 0, 0}, 4.0 * pi * 70.0);
+    const Scene scene = b.build();
+    const ViewPicture p = render(scene,
+                                 view_of({0, 0, 0}, {0, 0, 2}, 30.0, 8, 8),
+                                 settings_of(2, PictureFilter::axis_aligned));
+    for (std::size_t i = 0; i < p.size.pixels(); ++i) {
+        EXPECT_NEAR(p.luminance(i), 70.0, 1e-4);
+        EXPECT_EQ(p.object[i], 0u);
+        EXPECT_EQ(p.standard_error[i], 0.0F);
+    }
+}
+
+/// A furnished corner: a shadow, a mirror, a pane.
+Scene corner() {
+    Builder b;
+    const auto walls = b.add_material({"paint", Opaque{{0.6, 0.5, 0.4}}, Sides::both});
+    b.add_room({0, 0, 0}, {3, 3, 2.5}, walls, walls, walls);
+    b.add_quad({1.2, 1.2, 0.7}, {0.8, 0, 0}, {0, 0.6, 0}, b.add_diffuse(0.3));
+    b.add_quad({2.2, 0.5, 0.2},
+               {0, 2, 0},
+               {0, 0, 2},
+               b.add_material({"glass", ClearPane{}, Sides::both}));
+    b.add_quad({0.01, 0.8, 0.5},
+               {0, 1, 0},
+               {0, 0, 1},
+               b.add_material({"mirror", Opaque{Rgb::grey(0.0), 0.9}, Sides::both}));
+    b.add_panel({1.2, 1.2, 2.4}, {0, 0.6, 0}, {0.6, 0, 0}, 2000.0);
+    b.add_point({2.6, 0.4, 2.0}, b.add_isotropic_type(300.0));
+    return b.build();
+}
+
+TEST(RenderedPicture, AgreesWithTheLuminanceOfItsSightLines) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 6, 4);
+    // sight lines through the pixels, as dense as can be paid for
+    std::vector<SightLine> lines;
+    const CameraRays rays(view.camera);
+    constexpr int per_side = 4;
+    for (std::size_t i = 0; i < 24; ++i)
+        for (int k = 0; k < per_side * per_side; ++k)
+            lines.push_back(
+                *rays.sight_line(static_cast<double>(i % 6) + (k % per_side + 0.5) / per_side,
+                                 static_cast<double>(i / 6) + (k / per_side + 0.5) / per_side));
+    Settings settings;
+    settings.fixed_units = 1;
+    const LuminanceResults exact = estimate_luminances(scene, lines, settings);
+    double mean = 0.0;
+    for (const LuminanceResult& r : exact.rays)
+        mean += r.total.mean / static_cast<double>(lines.size());
+    const Estimate e = test::over_seeds([&](std::size_t s) {
+        return mean_of(render(scene, view, settings_of(4, PictureFilter::none, s + 1)));
+    });
+    // 16 midpoints a pixel stand for its area: what lies on edges is worth half a percent.
+    EXPECT_NEAR(e.mean, mean, test::z_limit * e.standard_error + 5e-3 * mean);
+    EXPECT_LT(e.standard_error, 0.01 * mean);
+}
+
+TEST(RenderedPicture, IsTheSumOfItsParts) {
+    const ViewPicture p = render(corner(),
+                                 view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 24, 16),
+                                 settings_of(4, PictureFilter::none));
+    for (std::size_t i = 0; i < p.size.pixels(); ++i) {
+        const Rgb parts = p.emission.colour(i) + p.direct.colour(i) + p.indirect.colour(i);
+        EXPECT_NEAR(luminance_sum(parts),
+                    luminance_sum(p.raw.colour(i)),
+                    1e-4 * luminance_sum(p.raw.colour(i)) + 1e-6);
+        EXPECT_EQ(p.samples[i], 4.0F);
+    }
+    EXPECT_GT(p.error, 0.0);
+    EXPECT_TRUE(p.filtered.x.empty());
+}
+
+TEST(RenderedPicture, HasTheSameBitsForAnyNumberOfThreads) {
+    const Scene scene = corner();
+    View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 40, 24);
+    view.camera.lens_radius = 0.02;
+    const auto with = [&](std::size_t threads) {
+        const ThreadLimit limit(threads);
+        return render(scene, view, settings_of(4, PictureFilter::axis_aligned));
+    };
+    const ViewPicture one = with(1);
+    ASSERT_FALSE(one.filtered.x.empty());
+    for (const std::size_t threads : {2, 7}) {
+        const ViewPicture other = with(threads);
+        EXPECT_EQ(one.raw.x, other.raw.x);
+        EXPECT_EQ(one.raw.z, other.raw.z);
+        EXPECT_EQ(one.filtered.y, other.filtered.y);
+        EXPECT_EQ(one.standard_error, other.standard_error);
+        EXPECT_EQ(one.filter_width, other.filter_width);
+        EXPECT_EQ(one.depth, other.depth);
+    }
+}
+
+TEST(RenderedPicture, StopsAtItsToleranceOrWhenAsked) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 24, 16);
+    RenderSettings s = settings_of(4096, PictureFilter::none);
+    s.tolerance = 0.5;
+    const ViewPicture rough = render(scene, view, s);
+    EXPECT_LE(rough.error, 0.5);
+    EXPECT_LT(rough.samples[0], 4096.0F);
+    EXPECT_FALSE(rough.interrupted);
+
+    std::stop_source stop;
+    stop.request_stop();
+    const ViewPicture none =
+        render(scene, view, settings_of(4, PictureFilter::none), {stop.get_token(), {}});
+    EXPECT_TRUE(none.interrupted);
+    EXPECT_EQ(none.samples[0], 0.0F);
+    EXPECT_EQ(none.raw.x[0], 0.0F);
+}
+
+TEST(RenderedPicture, FilteredIsLessNoisyAndNoBrighter) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 64, 40);
+    const ViewPicture fine = render(scene, view, settings_of(256, PictureFilter::none, 5));
+    const ViewPicture p = render(scene, view, settings_of(8, PictureFilter::axis_aligned));
+    double raw = 0.0;
+    double filtered = 0.0;
+    double mean = 0.0;
+    double shown = 0.0;
+    for (std::size_t i = 0; i < p.size.pixels(); ++i) {
+        const double truth = luminance_sum(fine.raw.colour(i));
+        raw += std::pow(luminance_sum(p.raw.colour(i)) - truth, 2);
+        filtered += std::pow(p.luminance(i) - truth, 2);
+        mean += truth;
+        shown += p.luminance(i);
+    }
+    EXPECT_LT(filtered, 0.5 * raw);
+    EXPECT_NEAR(shown / mean, 1.0, 0.02);
+}
+
+} // namespace
+} // namespace isolux
