@@ -197,6 +197,24 @@ std::vector<Receiver> points_near_walls() {
     return points;
 }
 
+/// METHODS eq. (5) times w1 of eq. (10), for a plane, in double precision.
+double weighed(const PathVertex& v,
+               const Point3& at,
+               const UnitVector3& axis,
+               const EffectiveCounts& c) {
+    const Vector3 d = v.position - at;
+    const double d2 = length_squared(d);
+    const double cos_x = dot(axis, d) / std::sqrt(d2);
+    const double cos_v = -dot(v.normal, d) / std::sqrt(d2);
+    if (cos_x <= 0.0 || cos_v <= 0.0)
+        return 0.0;
+    const double n1 = v.is_first ? c.paths : c.vertices;
+    const double n2 = v.is_first ? c.gather_first : c.gather_later;
+    const double chain = n1 * v.density;
+    const double share = chain / (chain + n2 * cos_x / pi * cos_v / d2);
+    return luminance_sum(v.radiant) * cos_x * cos_v / d2 * share;
+}
+
 TEST(Subset, OfOneEightOrSixteenVerticesHasTheMeanOfAll) {
     const Scene scene = furnished(0.5);
     SmallEngine engine(scene);
@@ -214,13 +232,11 @@ TEST(Subset, OfOneEightOrSixteenVerticesHasTheMeanOfAll) {
     const test::Sample all =
         engine.sample(points, replicates, [&](std::uint32_t r, std::vector<double>& row) {
             const VertexCache cache = engine.cache(10, r, engine.counts());
-            std::vector<float> u(cache.x.size());
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const Point3 at = clear_point(scene, points[i]);
-                evaluate_unshadowed(cache, points[i], at, Weighting::balanced, u);
-                for (std::size_t v = 0; v < cache.size(); ++v)
-                    row[i] += static_cast<double>(u[v])
-                              * scene.caster.transmittance(at, cache.vertices[v].position)
+                for (const PathVertex& v : cache.vertices)
+                    row[i] += weighed(v, at, points[i].axis, engine.counts())
+                              * scene.caster.transmittance(at, v.position)
                               / static_cast<double>(cache.paths);
             }
         });

@@ -50,10 +50,14 @@ struct SmallEngine {
                                std::uint64_t seed,
                                std::uint32_t replicate,
                                Weighting weighting = Weighting::balanced) const {
-        std::vector<float> scratch;
         const RandomStream subset(seed, StreamPurpose::subset, replicate);
-        return luminance_sum(gather_local_estimate(
-            scene, vertices, receiver, weighting, draws, subset.uniform(index, 0), scratch));
+        const LocalPoint point{
+            &receiver, clear_point(scene, receiver), subset.uniform(index, 0)};
+        LocalScratch scratch;
+        Rgb light;
+        gather_local_estimates(
+            scene, vertices, {&point, 1}, weighting, draws, scratch, {&light, 1});
+        return luminance_sum(light);
     }
 
     [[nodiscard]] double gathered(const VertexCache& vertices,

@@ -28,6 +28,7 @@ constexpr double paths_at_edges = 4096.0;
 /// Paths from which the estimators for study learn what the scene is like; no replicate walks
 /// them.
 constexpr std::size_t study_paths = 512;
+constexpr std::size_t study_samples = 8; ///< pairs of subpaths of a bidirectional unit
 constexpr std::uint32_t study_replicate = 0xfffffeU;
 
 double edge_distance(const Scene& scene, double paths) {
@@ -321,7 +322,7 @@ void Engine::estimate_indirect(const VertexCache& cache,
                                        first + i,
                                        replicate,
                                        unit,
-                                       {effort_.draws, effort_.directions, effort_.samples / 4},
+                                       {effort_.draws, effort_.directions, study_samples},
                                        subset.uniform(first + i, unit),
                                        rays);
         const std::uint64_t before = rays.degenerate;
