@@ -89,7 +89,7 @@ public:
             write(g.second, second_);
         const Cluster& c = clusters_[first_];
         const double n = static_cast<double>(c.count);
-        g.position.set(pixel_, c.position / n + (Point3{} - g.origin));
+        g.position.set(pixel_, first_place().at - g.origin);
         g.depth[pixel_] = static_cast<float>(c.depth / n);
         g.coverage[pixel_] = static_cast<float>(n / static_cast<double>(asked_));
         write_steps(g);
@@ -109,7 +109,7 @@ public:
     void write_lights(PixelBuffers& buffers) {
         if (clusters_used_ == 0)
             return;
-        const Place first = place_of(first_);
+        const Place first = first_place();
         std::vector<double>& e = light_on(first);
         double total = 0.0;
         for (const double v : e)
@@ -165,7 +165,7 @@ public:
     [[nodiscard]] bool is_near_edge() const noexcept {
         if (clusters_used_ == 0)
             return false;
-        const Place p = place_of(first_);
+        const Place p = first_place();
         const double reach = setup_.settings.is_preview ? 0.25 * setup_.edge : setup_.edge;
         return setup_.scene.caster.find_nearest_surfaces(p.at, reach).second < reach;
     }
@@ -211,24 +211,38 @@ private:
                 UnitVector3(cluster.normal)};
     }
 
+    /// Where the line of sight through a place of the picture meets the tangent plane.
+    [[nodiscard]] std::optional<Point3>
+    on_plane(const Place& p, double x, double y) const noexcept {
+        const auto line = setup_.camera.sight_line(x, y);
+        if (!line)
+            return std::nullopt;
+        const double slope = dot(p.normal, line->direction);
+        const double t = dot(p.normal, p.at - line->eye) / slope;
+        if (!(slope < -1e-4) || !(t > 0.0))
+            return std::nullopt;
+        return line->eye + t * Vector3(line->direction);
+    }
+
+    /// The middle of what the pixel shows of its majority surface: where all of it is that
+    /// surface, the place its middle looks at, else the mean of the samples.
+    [[nodiscard]] Place first_place() const noexcept {
+        Place p = place_of(first_);
+        if (clusters_[first_].count == asked_ && !setup_.camera.has_lens())
+            if (const auto middle = on_plane(
+                    p, static_cast<double>(column_) + 0.5, static_cast<double>(row_) + 0.5))
+                p.at = *middle;
+        return p;
+    }
+
     /// To where the neighbouring pixels look, on the tangent plane.
     void write_steps(PixelGeometry& g) const {
         const Place p = place_of(first_);
-        const auto meets = [&](double x, double y) -> std::optional<Point3> {
-            const auto line = setup_.camera.sight_line(x, y);
-            if (!line)
-                return std::nullopt;
-            const double slope = dot(p.normal, line->direction);
-            const double t = dot(p.normal, p.at - line->eye) / slope;
-            if (!(slope < -1e-4) || !(t > 0.0))
-                return std::nullopt;
-            return line->eye + t * Vector3(line->direction);
-        };
         const double x = static_cast<double>(column_) + 0.5;
         const double y = static_cast<double>(row_) + 0.5;
-        const auto here = meets(x, y);
-        const auto right = meets(x + 1.0, y);
-        const auto below = meets(x, y + 1.0);
+        const auto here = on_plane(p, x, y);
+        const auto right = on_plane(p, x + 1.0, y);
+        const auto below = on_plane(p, x, y + 1.0);
         if (here && right)
             g.column_step.set(pixel_, *right - *here);
         if (here && below)
