@@ -179,6 +179,71 @@ TEST_F(HtmlReport, SaysThePointWhoseIntervalDeservesLessTrust) {
     EXPECT_EQ(text_of(rows[0].node().child("th")), "1");
 }
 
+/// A requirement of 500 lx on the first surface and what was found about it.
+Verdict make_verdict(Decision decision, double value) {
+    Verdict v;
+    v.requirement.standard = "EN 12464-1:2021";
+    v.requirement.row = "34.2";
+    v.requirement.symbol = "Em";
+    v.requirement.limit = 500.0;
+    v.requirement.unit = "lx";
+    v.subject = "work plane";
+    v.decision = decision;
+    v.value = {value, 1.25, 16};
+    v.interval = {value - 3.0, value + 3.0};
+    v.margin = value - 500.0;
+    return v;
+}
+
+/// The section of a report with these verdicts.
+std::string verdict_page(const std::vector<Verdict>& verdicts, pugi::xml_document& xml) {
+    ResultsDocument document = examples::make_document();
+    document.results.verdicts = verdicts;
+    EXPECT_TRUE(xml.load_string(to_html(make_report(document, {}, english())).c_str()));
+    return text_of(xml.select_node("//section[@aria-labelledby='verdict']").node());
+}
+
+TEST(VerdictPage, SaysWhatWasDecidedInWordsAndNumbers) {
+    pugi::xml_document xml;
+    const std::string text = verdict_page({make_verdict(Decision::pass, 512.5),
+                                           make_verdict(Decision::undecided, 501.25),
+                                           make_verdict(Decision::fail, 480.0)},
+                                          xml);
+    EXPECT_NE(text.find("fail: at least one requirement is not met"), std::string::npos)
+        << text;
+    const auto rows =
+        xml.select_nodes("(//section[@aria-labelledby='verdict']//table)[1]/tbody/tr");
+    ASSERT_EQ(rows.size(), 3u);
+    std::size_t row = 0;
+    for (const auto& [word, value] :
+         {std::pair{"pass", 512.5}, std::pair{"undecided", 501.25}, std::pair{"fail", 480.0}}) {
+        const auto cells = rows[row++].node().select_nodes("td");
+        EXPECT_EQ(text_of(cells[2].node()), "≥ 500 lx");
+        EXPECT_EQ(exact_value(cells[3].node()), value);
+        EXPECT_EQ(exact_value(cells[4].node()), value - 3.0);
+        EXPECT_EQ(exact_value(cells[5].node()), value + 3.0);
+        EXPECT_EQ(exact_value(cells[6].node()), value - 500.0);
+        EXPECT_EQ(text_of(cells[7].node()), word);
+        EXPECT_EQ(cells[7].node().child("span").attribute("class").value(),
+                  std::string("mark ") + word);
+    }
+}
+
+TEST(VerdictPage, SaysWhyNothingWasJudged) {
+    Verdict v = make_verdict(Decision::not_judged, 0.0);
+    v.reason = "there are no observers";
+    pugi::xml_document xml;
+    const std::string text = verdict_page({v}, xml);
+    EXPECT_NE(text.find("not judged: no requirement could be judged"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("there are no observers"), std::string::npos);
+}
+
+TEST(VerdictPage, IsLeftOutWhereNothingIsRequired) {
+    pugi::xml_document xml;
+    EXPECT_EQ(verdict_page({}, xml), "");
+}
+
 TEST(HtmlReportWithoutPlan, HasStillItsTables) {
     ResultsDocument document = examples::make_document();
     document.plan = {};
