@@ -109,8 +109,8 @@ TEST_F(RenderVerb, RejectsWhatItDoesNotKnow) {
     EXPECT_EQ(
         error_of({"--filter", "bilateral"}),
         "error: --filter: 'bilateral' is not known. Known are none, axis-aligned, oidn\n");
-    EXPECT_EQ(error_of({"--quantity", "iluminance"}),
-              "error: --quantity: 'iluminance' is not known. Did you mean illuminance?\n");
+    EXPECT_EQ(error_of({"--quantity", "illuminence"}),
+              "error: --quantity: 'illuminence' is not known. Did you mean illuminance?\n");
     EXPECT_EQ(error_of({"--spp", "1"}), "error: --spp: 1 is out of range (2 to 65535)\n");
 }
 

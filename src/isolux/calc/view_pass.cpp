@@ -206,7 +206,7 @@ private:
         if (layer.slope_min[pixel_] < 0.0F)
             return 1.0;
         const double n = std::round(static_cast<double>(buffers_.geometry.coverage[pixel_])
-                                    * static_cast<double>(pilot_rays(setup_.settings)));
+                                    * static_cast<double>(pilot_sight_lines(setup_.settings)));
         const double occluded = static_cast<double>(layer.occluded[pixel_]) * (n + 1.0) - 0.5;
         return std::clamp(std::round(n - occluded) / n, 0.0, 1.0);
     }

@@ -47,7 +47,7 @@ public:
           random_(setup.settings.seed, StreamPurpose::pilot, 0, pixel_) {}
 
     void look() {
-        const std::size_t wanted = pilot_rays(setup_.settings);
+        const std::size_t wanted = pilot_sight_lines(setup_.settings);
         thread_local EyePath path;
         for (std::uint32_t s = 0; s < wanted; ++s) {
             NumberSequence numbers(random_, s);
@@ -139,7 +139,7 @@ public:
         if (clusters_used_ == 0)
             return;
         // Directions from the samples on the surface, in turn; one from each in previews.
-        const std::size_t wanted = pilot_rays(setup_.settings);
+        const std::size_t wanted = pilot_sight_lines(setup_.settings);
         double low = std::numeric_limits<double>::infinity();
         double high = 0.0;
         std::size_t from = 0;

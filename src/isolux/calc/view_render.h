@@ -19,7 +19,7 @@ inline constexpr std::uint32_t picture_replicates = 4;
 inline constexpr std::size_t tile_side = 16;
 
 /// Pilot rays a pixel; previews make do with fewer.
-[[nodiscard]] inline std::size_t pilot_rays(const RenderSettings& settings) noexcept {
+[[nodiscard]] inline std::size_t pilot_sight_lines(const RenderSettings& settings) noexcept {
     return settings.is_preview ? 2 : 4;
 }
 

@@ -87,7 +87,7 @@ TEST(ReadProject, EveryExampleOfTheGuideWorksInOneProject) {
 
     const Project project = read_project(root / "projects/guide/project.json");
 
-    EXPECT_EQ(examples.size(), 12U) << "one for each key of the top level";
+    EXPECT_EQ(examples.size(), 13U) << "one for each key of the top level";
     EXPECT_EQ(project.settings.tolerance, 0.02);
     EXPECT_EQ(project.settings.time_limit->count(), 300.0);
     EXPECT_EQ(project.scene.rooms.size(), 2U);
