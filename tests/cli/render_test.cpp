@@ -144,6 +144,7 @@ TEST_F(RenderVerb, IsPartOfRunUnlessItIsNotWanted) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_TRUE(std::filesystem::exists(out + "/views/door.exr"));
     EXPECT_TRUE(std::filesystem::exists(out + "/views/plan.png"));
+    EXPECT_NE(read_text(out + "/report.html").find("alt=\"door\""), std::string::npos);
     EXPECT_NE(ran.out.find("view door: 32 x 20 pixels"), std::string::npos) << ran.out;
 }
 

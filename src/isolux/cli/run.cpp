@@ -179,7 +179,6 @@ ExitCode run_project(const RunOptions& options) {
     write_xlsx(folder / "results.xlsx", document);
     write_vtk(folder, scene, document.results);
     write_maps(folder / "maps", document);
-    report::write_reports(folder, document);
 
     if (!options.is_quiet)
         print(to_report(document, scene, folder));
@@ -190,6 +189,7 @@ ExitCode run_project(const RunOptions& options) {
                                                               folder / "views",
                                                               options,
                                                               interrupt.token());
+    report::write_reports(folder, document); // which shows the views
     if (!options.is_quiet && !pictures.empty()) {
         for (const std::string& picture : pictures)
             print(picture + "\n");
