@@ -12,6 +12,7 @@
 #include "isolux/io/project_json.h"
 
 #include "bench/bare_embree.h"
+#include "support/source_dir.h"
 
 /// Every shipped project: time to an RMS standard error of 2 % over its points, scene built,
 /// and the rate of shadow rays from its points to its luminaires as a share of bare Embree's
@@ -131,7 +132,7 @@ void time_to_two_percent(benchmark::State& state, const std::filesystem::path& f
 [[maybe_unused]] const bool registered = [] {
     namespace fs = std::filesystem;
     std::vector<fs::path> files;
-    const fs::path folder = fs::path(ISOLUX_SOURCE_DIR) / "projects";
+    const fs::path folder = isolux::test::source_dir() / "projects";
     if (fs::is_directory(folder))
         for (const auto& entry : fs::directory_iterator(folder))
             if (fs::exists(entry.path() / "project.json"))

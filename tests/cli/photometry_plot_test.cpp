@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
+#include "support/source_dir.h"
 
 namespace isolux::test {
 namespace {
 
-const std::string luminaire = std::string(ISOLUX_SOURCE_DIR) + "/luminaires/batwing-linear.ldt";
+const std::string luminaire =
+    isolux::test::source_dir().string() + "/luminaires/batwing-linear.ldt";
 
 TEST(PhotometryPlot, WritesThePictureItIsAskedFor) {
     const TemporaryFolder folder;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "support/source_dir.h"
 
 namespace isolux::test {
 namespace {
@@ -29,7 +30,7 @@ std::string complaint(const std::vector<std::string>& more) {
 }
 
 std::string shipped(const std::string& name) {
-    return std::string(ISOLUX_SOURCE_DIR) + "/luminaires/" + name;
+    return isolux::test::source_dir().string() + "/luminaires/" + name;
 }
 
 /// Cosine light of 100 cd straight down in one plane, opening 0.3 m wide, 1.2 m long.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.h"
+#include "support/source_dir.h"
 
 namespace isolux::test {
 namespace {
@@ -8,20 +9,23 @@ namespace {
 TEST(SchemaVerb, PrintsTheProjectSchemaByDefault) {
     const Ran ran = run_program({"schema"});
     EXPECT_EQ(ran.exit_code, 0);
-    EXPECT_EQ(ran.out, read_text(ISOLUX_SOURCE_DIR "/schema/project.schema.json"));
+    EXPECT_EQ(ran.out,
+              read_text(isolux::test::source_dir().string() + "/schema/project.schema.json"));
     EXPECT_EQ(ran.out, run_program({"schema", "project"}).out);
 }
 
 TEST(SchemaVerb, PrintsTheResultsSchema) {
     const Ran ran = run_program({"schema", "results"});
     EXPECT_EQ(ran.exit_code, 0);
-    EXPECT_EQ(ran.out, read_text(ISOLUX_SOURCE_DIR "/schema/results.schema.json"));
+    EXPECT_EQ(ran.out,
+              read_text(isolux::test::source_dir().string() + "/schema/results.schema.json"));
 }
 
 TEST(SchemaVerb, PrintsTheSchemaOfStandards) {
     const Ran ran = run_program({"schema", "standard"});
     EXPECT_EQ(ran.exit_code, 0);
-    EXPECT_EQ(ran.out, read_text(ISOLUX_SOURCE_DIR "/schema/standard.schema.json"));
+    EXPECT_EQ(ran.out,
+              read_text(isolux::test::source_dir().string() + "/schema/standard.schema.json"));
 }
 
 TEST(SchemaVerb, ListsSchemasToWhoeverWantsAnother) {

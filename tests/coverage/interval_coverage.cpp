@@ -16,6 +16,8 @@
 #include "isolux/calc/calculate.h"
 #include "isolux/io/project_json.h"
 
+#include "support/source_dir.h"
+
 namespace isolux {
 namespace {
 
@@ -130,8 +132,7 @@ int main(int argc, char** argv) {
     if (projects.empty())
         projects = {"cornell-box", "corridor-l-shape", "classroom"};
     for (const std::string& project : projects)
-        isolux::measure(std::filesystem::path(ISOLUX_SOURCE_DIR) / "projects" / project
-                            / "project.json",
+        isolux::measure(isolux::test::source_dir() / "projects" / project / "project.json",
                         runs);
     return 0;
 }

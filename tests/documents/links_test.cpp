@@ -7,12 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "support/source_dir.h"
+
 namespace isolux::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path root = ISOLUX_SOURCE_DIR;
+const fs::path root = isolux::test::source_dir();
 
 std::string read_text(const fs::path& path) {
     std::ifstream stream(path);

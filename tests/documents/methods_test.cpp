@@ -11,6 +11,8 @@
 
 #include "isolux/scene/material.h"
 
+#include "support/source_dir.h"
+
 /// The code names equations and sections of METHODS.md; here every name is looked up.
 namespace isolux::test {
 namespace {
@@ -73,7 +75,7 @@ bool is_source(const std::filesystem::path& path) {
 }
 
 TEST(Methods, HasEveryEquationAndSectionThatTheCodeNames) {
-    const std::filesystem::path root = ISOLUX_SOURCE_DIR;
+    const std::filesystem::path root = isolux::test::source_dir();
     const std::set<std::string> known = names_in(read_text(root / "METHODS.md"));
     std::size_t citations = 0;
     for (const char* house : {"src", "viz", "tests"}) {
@@ -98,8 +100,7 @@ TEST(Methods, ReadsNamesOutOfSentences) {
 }
 
 TEST(Methods, ListsTheEverydayMaterialsWithTheirValues) {
-    const std::string methods =
-        read_text(std::filesystem::path(ISOLUX_SOURCE_DIR) / "METHODS.md");
+    const std::string methods = read_text(isolux::test::source_dir() / "METHODS.md");
     for (const Material& material : everyday_materials()) {
         std::string entry;
         if (const auto* opaque = std::get_if<Opaque>(&material.scattering))
@@ -117,8 +118,7 @@ TEST(Methods, ListsTheEverydayMaterialsWithTheirValues) {
 
 TEST(Methods, NumbersNoEquationTwice) {
     std::set<std::string> seen;
-    std::istringstream lines(
-        read_text(std::filesystem::path(ISOLUX_SOURCE_DIR) / "METHODS.md"));
+    std::istringstream lines(read_text(isolux::test::source_dir() / "METHODS.md"));
     for (std::string line; std::getline(lines, line);) {
         for (const auto& number : find_all(line, R"(^ .*\s\((\d+)\)$)"))
             EXPECT_TRUE(seen.insert(number).second) << "eq. (" << number << ") stands twice";

@@ -16,6 +16,7 @@
 #include "isolux/io/safe_file.h"
 
 #include "golden/expected_table.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 /// Every shipped project is also a test: projects/<name>/expected.csv holds the summary of each
@@ -93,7 +94,7 @@ private:
 void register_projects() {
     std::vector<fs::path> folders;
     std::error_code missing;
-    const fs::path projects = fs::path(ISOLUX_SOURCE_DIR) / "projects";
+    const fs::path projects = isolux::test::source_dir() / "projects";
     for (const auto& entry : fs::directory_iterator(projects, missing))
         if (fs::exists(entry.path() / "project.json"))
             folders.push_back(entry.path());

@@ -13,6 +13,7 @@
 
 #include "support/facetted_sphere.h"
 #include "support/replicates.h"
+#include "support/source_dir.h"
 #include "support/test_scene.h"
 
 namespace isolux {
@@ -62,7 +63,7 @@ std::vector<Estimate> look_with_four_seeds(const Scene& scene,
 // ---- a luminaire looked at ------------------------------------------------------------------
 
 TEST(LuminanceOfALuminaire, IsItsIntensityOverTheProjectedAreaOfItsOpening) {
-    const std::filesystem::path here = ISOLUX_SOURCE_DIR;
+    const std::filesystem::path here = isolux::test::source_dir();
     Project project = parse_project(
         R"({"isolux": 1, "luminaire_types": {"down": {"file": ")"
             + (here / "luminaires" / "batwing-linear.ldt").generic_string() + R"("}},

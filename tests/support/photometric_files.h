@@ -12,12 +12,14 @@
 
 #include "isolux/photometry/read_photometry.h"
 
+#include "source_dir.h"
+
 /// The photometric test files that may lie beside the checkout. Tests skip where they are
 /// absent.
 namespace isolux::corpus {
 
 inline std::filesystem::path root() {
-    return std::filesystem::path(ISOLUX_SOURCE_DIR) / ".." / "shared" / "photometry";
+    return isolux::test::source_dir() / ".." / "shared" / "photometry";
 }
 
 inline bool is_present() { return std::filesystem::is_directory(root() / "valid"); }

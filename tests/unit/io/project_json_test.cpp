@@ -9,6 +9,7 @@
 #include "isolux/io/sha256.h"
 
 #include "support/malformed_project.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace isolux::test {
@@ -20,7 +21,7 @@ using testing::HasSubstr;
 /// The ```json blocks of the user guide.
 std::vector<std::string> examples_of_guide() {
     const std::string guide =
-        read_bytes(std::string(ISOLUX_SOURCE_DIR) + "/docs/project-file.md");
+        read_bytes(isolux::test::source_dir().string() + "/docs/project-file.md");
     const std::string fence = "```json\n";
     std::vector<std::string> examples;
     for (std::size_t at = guide.find(fence); at != std::string::npos;
@@ -73,7 +74,7 @@ TEST(ReadProject, EveryExampleOfTheGuideWorksInOneProject) {
     const TemporaryFolder folder;
     const std::filesystem::path root = folder.path();
     std::filesystem::create_directories(root / "projects/guide");
-    std::filesystem::copy(std::string(ISOLUX_SOURCE_DIR) + "/luminaires",
+    std::filesystem::copy(isolux::test::source_dir().string() + "/luminaires",
                           root / "luminaires",
                           std::filesystem::copy_options::recursive);
     write_bytes(root / "projects/guide/chair.obj",

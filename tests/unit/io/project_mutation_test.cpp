@@ -7,6 +7,7 @@
 #include "isolux/base/error.h"
 #include "isolux/io/project_json.h"
 
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace isolux::test {
@@ -55,7 +56,8 @@ std::string change_bytes(std::string bytes, Random& random) {
 
 TEST(ReadProject, AnswersEveryMutationWithAProjectOrAnInputError) {
     constexpr int mutations = 200; // of each file, the same in every run
-    const std::string corpus = std::string(ISOLUX_SOURCE_DIR) + "/tests/fuzz/corpus/project";
+    const std::string corpus =
+        isolux::test::source_dir().string() + "/tests/fuzz/corpus/project";
     int projects = 0;
     for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
         const std::string bytes = read_bytes(entry.path());

@@ -9,6 +9,7 @@
 #include "isolux/io/json_value.h"
 #include "isolux/io/project_json.h"
 
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 /// Rooms described elsewhere, said again as projects: the format can say it, and directions
@@ -16,7 +17,7 @@
 namespace isolux::test {
 namespace {
 
-const std::filesystem::path scenes = std::string(ISOLUX_SOURCE_DIR) + "/../shared/scenes";
+const std::filesystem::path scenes = isolux::test::source_dir().string() + "/../shared/scenes";
 
 double number(const JsonValue& object, std::string_view key) {
     return object.find(key)->number;

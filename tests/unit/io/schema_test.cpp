@@ -6,11 +6,13 @@
 
 #include "isolux/io/schema.h"
 
+#include "support/source_dir.h"
+
 namespace isolux {
 namespace {
 
 std::string read_source_file(const std::string& name) {
-    std::ifstream file(std::string(ISOLUX_SOURCE_DIR) + "/" + name, std::ios::binary);
+    std::ifstream file(isolux::test::source_dir().string() + "/" + name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

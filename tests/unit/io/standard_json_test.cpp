@@ -10,13 +10,15 @@
 #include "isolux/io/schema_check.h"
 #include "isolux/io/standard_json.h"
 
+#include "support/source_dir.h"
+
 namespace isolux {
 namespace {
 
 using testing::HasSubstr;
 
 std::string read_source_file(const std::string& name) {
-    std::ifstream file(std::string(ISOLUX_SOURCE_DIR) + "/" + name, std::ios::binary);
+    std::ifstream file(isolux::test::source_dir().string() + "/" + name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -7,6 +7,7 @@
 #include "isolux/photometry/write_ldt.h"
 
 #include "support/photometric_files.h"
+#include "support/source_dir.h"
 
 namespace isolux {
 namespace {
@@ -214,7 +215,7 @@ TEST(Writers, WriteTheChosenLampSetFirst) {
 // ---- the sample luminaires ---------------------------------------------------------------
 
 TEST(SampleLuminaires, AreTheSameLightInBothFormats) {
-    const auto folder = std::filesystem::path(ISOLUX_SOURCE_DIR) / "luminaires";
+    const auto folder = isolux::test::source_dir() / "luminaires";
     int pairs = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".ies")

@@ -10,6 +10,7 @@
 #include "isolux/viz/photometric_web.h"
 
 #include "support/photometric_files.h"
+#include "support/source_dir.h"
 
 namespace isolux {
 namespace {
@@ -25,7 +26,7 @@ LuminaireType read_type(const std::filesystem::path& path) {
 }
 
 LuminaireType shipped(const std::string& name) {
-    return read_type(std::filesystem::path(ISOLUX_SOURCE_DIR) / "luminaires" / name);
+    return read_type(isolux::test::source_dir() / "luminaires" / name);
 }
 
 std::string all_text(const Drawing& drawing) {
