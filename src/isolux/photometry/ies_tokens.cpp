@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "isolux/photometry/plane_symmetry.h"
+
 namespace isolux {
 
 IesTokens::IesTokens(const SourceText& text, std::size_t first_line, const Findings& findings)
@@ -68,9 +70,8 @@ std::vector<FileNumber> IesTokens::take_numbers(std::size_t count, std::string_v
 
 void IesTokens::expect_ascending(const std::vector<FileNumber>& values,
                                  std::string_view what) const {
-    constexpr double least_step = 1e-3; // degrees; closer angles are one angle written twice
     for (std::size_t i = 1; i < values.size(); ++i)
-        if (!(values[i].value - values[i - 1].value > least_step))
+        if (!(values[i].value - values[i - 1].value > same_file_angle))
             findings_.fail(values[i].line,
                            std::string(what) + " " + to_text(values[i].value) + " after "
                                + to_text(values[i - 1].value) + " (they must ascend)",

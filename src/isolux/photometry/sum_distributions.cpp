@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolux/base/check.h"
+#include "isolux/photometry/plane_symmetry.h"
 #include "isolux/photometry/stored_table.h"
 
 namespace isolux {
@@ -13,9 +14,10 @@ namespace isolux {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double same_node = 1e-9; // rad
+/// Nodes no reader would tell apart are one, rad: what is summed can be written and read again.
+constexpr double same_node = same_file_angle * pi / 180.0;
 /// How far beyond its last gamma a table that stops there is known to be dark, rad.
-constexpr double just_beyond = 1e-6;
+constexpr double just_beyond = 2.0 * same_node;
 
 void keep_distinct(std::vector<double>& nodes) {
     std::ranges::sort(nodes);
