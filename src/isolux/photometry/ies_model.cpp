@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -177,6 +178,34 @@ std::optional<Lumen> find_declared_flux(const IesDocument& d) {
     return std::nullopt;
 }
 
+/// Labels that no field of the model holds, each with the [MORE] lines that go on with it; the
+/// free lines of a 1986 file become [OTHER].
+std::vector<PhotometryLabel> find_other_labels(const IesDocument& d, std::string_view name) {
+    constexpr std::array<std::string_view, 9> held{"TEST",
+                                                   "TESTLAB",
+                                                   "ISSUEDATE",
+                                                   "MANUFAC",
+                                                   "LUMCAT",
+                                                   "LUMINAIRE",
+                                                   "LAMP",
+                                                   "FILEGENINFO",
+                                                   "DATE"};
+    std::vector<PhotometryLabel> others;
+    bool is_held = true;
+    for (const IesLabel& label : d.labels) {
+        if (label.keyword == "MORE") {
+            if (!is_held && !label.text.empty())
+                others.back().text += " " + label.text;
+            continue;
+        }
+        is_held = std::ranges::find(held, label.keyword) != held.end()
+                  || (label.keyword.empty() && (label.text.empty() || label.text == name));
+        if (!is_held)
+            others.push_back({label.keyword.empty() ? "OTHER" : label.keyword, label.text});
+    }
+    return others;
+}
+
 } // namespace
 
 LuminairePhotometry
@@ -188,14 +217,15 @@ to_photometry(const IesDocument& d, const PhotometryOptions& options, Findings& 
     check_efficiency(d, table.distribution, findings);
     const bool is_absolute = d.lumens_per_lamp.value <= 0.0;
     const LuminousOpening opening = make_opening(d, findings);
-    const std::string name = find_text(d, "LUMINAIRE");
+    const std::string label = find_text(d, "LUMINAIRE");
+    const std::string name = label.empty() && d.format == lm63_1986 ? first_label(d) : label;
     return {.format = d.format,
             .photometric_type = "CBA"[static_cast<int>(d.photometric_type.value) - 1],
             .symmetry = std::move(table.symmetry),
             .planes_in_file = d.horizontal.size(),
             .gammas_in_file = d.vertical.size(),
             .manufacturer = find_text(d, "MANUFAC"),
-            .name = name.empty() && d.format == lm63_1986 ? first_label(d) : name,
+            .name = name,
             .catalogue_number = find_text(d, "LUMCAT"),
             .report = find_text(d, "TEST"),
             .laboratory = find_text(d, "TESTLAB"),
@@ -206,7 +236,8 @@ to_photometry(const IesDocument& d, const PhotometryOptions& options, Findings& 
             .is_absolute = is_absolute,
             .declared_flux = find_declared_flux(d),
             .lamp_sets = make_lamp_sets(d, is_absolute),
-            .input_watts = std::max(0.0, d.input_watts.value)};
+            .input_watts = std::max(0.0, d.input_watts.value),
+            .other_labels = find_other_labels(d, name)};
 }
 
 Parsed<LuminairePhotometry> to_photometry(const IesDocument& document,

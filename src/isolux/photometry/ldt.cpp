@@ -191,9 +191,11 @@ void read_intensities(LdtDocument& d, LdtLines& lines, Findings& findings) {
     }
     d.intensities = lines.take_numbers(d.stored.size() * ng, "intensity");
     if (lines.remaining() > 0)
-        findings.warn(lines.line(),
-                      std::to_string(lines.remaining()) + " more line(s) after the table, from "
-                          + quoted(lines.peek()) + " on (ignored)");
+        findings.warn(
+            lines.line(),
+            std::to_string(lines.remaining()) + " more line(s) after the table"
+                + (lines.peek().empty() ? "" : ", from " + quoted(lines.peek()) + " on")
+                + " (ignored)");
 }
 
 } // namespace

@@ -55,6 +55,12 @@ struct LampSet {
     double watts = 0.0; ///< including control gear
 };
 
+/// What a LM-63 file says under a keyword that has no field here.
+struct PhotometryLabel {
+    std::string keyword; ///< upper case, without brackets
+    std::string text;
+};
+
 /// One luminaire's photometry in our units and conventions; from here nobody can tell whether
 /// it came from LM-63 or EULUMDAT. Candelas are absolute, after every factor the file asks for.
 struct LuminairePhotometry {
@@ -81,6 +87,7 @@ struct LuminairePhotometry {
     /// EULUMDAT: luminous height of the opening's sides seen from C0, C90, C180, C270
     /// (`opening` is as high as the largest of them).
     std::optional<std::array<Metre, 4>> side_heights = std::nullopt;
+    std::vector<PhotometryLabel> other_labels = {}; ///< LM-63, in the order of the file
 };
 
 } // namespace isolux

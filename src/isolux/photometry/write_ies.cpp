@@ -140,6 +140,8 @@ std::string head(const LuminairePhotometry& l, const IesWriteOptions& options) {
         append_label(text, "LAMP", l.lamp_sets[l.lamp_set].type);
     if (is_2019)
         append_label(text, "FILEGENINFO", "written by isolux");
+    for (const PhotometryLabel& other : l.other_labels)
+        append_label(text, other.keyword, other.text);
     return text + "TILT=NONE" + std::string(line_end);
 }
 

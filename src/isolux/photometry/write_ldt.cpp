@@ -168,6 +168,12 @@ std::vector<Message> losses(const LuminairePhotometry& l, bool is_resampled) {
                                + " written as a box of its sizes (EULUMDAT has rectangles and "
                                  "round openings only)",
                            {}});
+    if (!l.other_labels.empty()) {
+        std::string keywords;
+        for (const PhotometryLabel& other : l.other_labels)
+            keywords += (keywords.empty() ? "[" : ", [") + other.keyword + "]";
+        notices.push_back({where, "left out: " + keywords + " (EULUMDAT has no keywords)", {}});
+    }
     return notices;
 }
 

@@ -199,6 +199,23 @@ TEST(Writers, KeepStrangersTextOnOneLine) {
     EXPECT_EQ(reread(write_ldt(l), "x.ldt").name, "two  TILT=INCLUDE lines");
 }
 
+TEST(Writers, KeepTheKeywordsOfLm63OrSayThatTheyAreLeftOut) {
+    const auto l =
+        reread({"IESNA:LM-63-2002\n[TEST] 7\n[TESTLAB] t\n[ISSUEDATE] d\n[MANUFAC] m\n"
+                "[SKTPOSITION] level\n[MORE] street side\n[LAMP] l\n[_OWN] 3\nTILT=NONE\n"
+                "1 -1 1 3 1 1 2 0.1 0.2 0\n1 1 9\n0 45 90\n0\n9 8 7\n",
+                {}},
+               "x.ies");
+    const auto back = reread(write_ies(l), "y.ies");
+    ASSERT_EQ(back.other_labels.size(), 2U);
+    EXPECT_EQ(back.other_labels[0].keyword, "SKTPOSITION");
+    EXPECT_EQ(back.other_labels[0].text, "level street side");
+    EXPECT_EQ(back.other_labels[1].keyword, "_OWN");
+    const auto notices = write_ldt(l).notices;
+    ASSERT_EQ(notices.size(), 1U);
+    EXPECT_EQ(notices[0].what, "left out: [SKTPOSITION], [_OWN] (EULUMDAT has no keywords)");
+}
+
 TEST(Writers, WriteTheChosenLampSetFirst) {
     auto l = uniform({});
     l.is_absolute = false;
