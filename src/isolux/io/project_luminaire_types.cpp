@@ -87,6 +87,8 @@ bool read_photometric_file(const JsonObject& object,
     const std::filesystem::path path = reader.path_of(node);
     PhotometryOptions options;
     options.lamp_set = static_cast<std::size_t>(*set - 1);
+    if (const std::optional<JsonNode> variant = object.find("variant"))
+        options.variant = read_text(*variant, 200).value_or("");
     options.sibling = [&](std::string_view name) { return read_sibling(path, name, reader); };
     try {
         Parsed<LuminairePhotometry> parsed =
@@ -200,7 +202,7 @@ bool read_source(const JsonObject& object, ProjectReader& reader, LuminaireType&
         read_opening_override(object, type);
         return true;
     }
-    object.exclude(*form, {"flux", "lamp_set", "opening"});
+    object.exclude(*form, {"flux", "lamp_set", "variant", "opening"});
     const JsonNode node = *object.find(*form);
     return *form == "lambertian" ? read_lambertian(node, type) : read_isotropic(node, type);
 }
@@ -255,6 +257,7 @@ read_type(const JsonNode& node, const std::string& name, ProjectReader& reader) 
                              "maintenance_factor",
                              "dimming",
                              "lamp_set",
+                             "variant",
                              "opening",
                              "body",
                              "colour",

@@ -174,13 +174,23 @@ std::vector<std::size_t> planes_to_store(const LdtDocument& d, const Findings& f
     }
 }
 
+/// Whether the list could be that of a table without symmetry. Nobody asks this of the list of
+/// a rotational one until the file turns out to store all of its planes.
+bool are_planes_of_a_turn(const std::vector<FileNumber>& c_angles) {
+    const auto too_close = [](const FileNumber& a, const FileNumber& b) {
+        return !(b.value - a.value > same_file_angle);
+    };
+    return std::ranges::adjacent_find(c_angles, too_close) == c_angles.end()
+           && c_angles.front().value >= -same_file_angle
+           && c_angles.back().value <= 360.0 + same_file_angle;
+}
+
 void read_intensities(LdtDocument& d, LdtLines& lines, Findings& findings) {
     d.stored = planes_to_store(d, findings);
     const std::size_t ng = d.gamma_angles.size();
     const std::size_t mc = d.c_angles.size();
-    const bool ascends = std::ranges::is_sorted(d.c_angles, {}, &FileNumber::value)
-                         && (mc < 2 || d.c_angles[1].value > d.c_angles[0].value);
-    if (d.stored.size() < mc && lines.remaining() == mc * ng && ascends) {
+    if (d.stored.size() < mc && lines.remaining() == mc * ng
+        && are_planes_of_a_turn(d.c_angles)) {
         findings.warn(d.symmetry.line,
                       "symmetry indicator " + to_text(d.symmetry.value) + ", but all "
                           + std::to_string(mc)

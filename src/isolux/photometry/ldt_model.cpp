@@ -105,8 +105,9 @@ IntensityDistribution
 make_distribution(const LdtDocument& d, double factor, Findings& findings) {
     check_gammas(d, findings);
     std::vector<double> stored;
-    for (const std::size_t i : d.stored)
-        stored.push_back(d.c_angles[i].value);
+    const bool is_rotational = symmetry_of(d) == PlaneSymmetry::rotational;
+    for (const std::size_t i : d.stored) // which plane a rotational table stores tells nothing
+        stored.push_back(is_rotational ? 0.0 : d.c_angles[i].value);
     std::vector<double> gammas;
     for (const FileNumber& g : d.gamma_angles)
         gammas.push_back(g.value);

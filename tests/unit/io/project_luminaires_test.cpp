@@ -1,6 +1,12 @@
+#include <fstream>
+#include <variant>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/malformed_project.h"
+#include "support/stored_zip.h"
+#include "support/temporary_folder.h"
 
 namespace isolux::test {
 namespace {
@@ -73,6 +79,10 @@ const Malformed types[] = {
      "#/luminaire_types/panel/lamp_set: 0 is too small (it must be at least 1)\n"
      R"(#/luminaire_types/panel/file: "." is a folder (a file belongs here))",
      shape},
+    {"VariantOfABareBulb",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": 470}, "variant": "2"}})",
+     R"(#/luminaire_types/panel/variant: "variant" does not go with "isotropic" (give one of the two))"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Types, MalformedLuminaires, testing::ValuesIn(types), name_of);
@@ -165,6 +175,55 @@ const Malformed placement[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Placement, MalformedLuminaires, testing::ValuesIn(placement), name_of);
+
+// ---- containers -----------------------------------------------------------------------------
+
+TEST(LuminaireTypeOfAContainer, IsTheVariantAskedFor) {
+    const auto ies = [](int candela) {
+        return "IESNA:LM-63-2002\n[TEST] 1\n[TESTLAB] l\n[ISSUEDATE] d\n[MANUFAC] "
+               "m\nTILT=NONE\n"
+               "1 -1 1 2 1 1 2 0.2 0.4 0\n1 1 5\n0 90\n0\n"
+               + std::to_string(candela) + " " + std::to_string(candela) + "\n";
+    };
+    std::string general = "<Root><GeneralDefinitions><Files>";
+    std::string photometries;
+    std::string emitters;
+    std::string variants;
+    for (const std::string n : {"1", "2"}) {
+        general += "<File id=\"f" + n + "\" contentType=\"ldc/ies\" type=\"localFileName\">" + n
+                   + ".ies</File>";
+        photometries += "<Photometry id=\"p" + n + "\"><PhotometryFileReference fileId=\"f" + n
+                        + "\"/></Photometry>";
+        emitters += "<Emitter id=\"e" + n
+                    + "\"><FixedLightEmitter><PhotometryReference photometryId=\"p" + n
+                    + "\"/></FixedLightEmitter></Emitter>";
+        variants += "<Variant id=\"v" + n + "\"><Geometry><EmitterReference emitterId=\"e" + n
+                    + "\"/></Geometry></Variant>";
+    }
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "lamp.gldf", std::ios::binary) << test::stored_zip(
+        {{"product.xml",
+          general + "</Files><Photometries>" + photometries + "</Photometries><Emitters>"
+              + emitters + "</Emitters></GeneralDefinitions><ProductDefinitions><Variants>"
+              + variants + "</Variants></ProductDefinitions></Root>"},
+         {"ldc/1.ies", ies(100)},
+         {"ldc/2.ies", ies(200)}});
+    const auto max_candela = [&](const std::string& variant) {
+        const Project project = parse_project(
+            test::small_project(
+                {{"luminaire_types",
+                  R"({"panel": {"file": "lamp.gldf", "variant": ")" + variant + "\"}}"}}),
+            (folder.path() / "p.json").generic_string());
+        return std::get<LuminairePhotometry>(project.scene.luminaire_types.at(0).source)
+            .distribution.max_intensity()
+            .value();
+    };
+    EXPECT_EQ(max_candela("v1"), 100.0);
+    EXPECT_EQ(max_candela("2"), 200.0);
+    EXPECT_THAT([&] { max_candela("v3"); },
+                testing::ThrowsMessage<InputError>(
+                    testing::HasSubstr("variant 'v3' asked for (there are 2")));
+}
 
 } // namespace
 } // namespace isolux::test
