@@ -40,14 +40,10 @@ power_of(const Project& project, const Scene& scene, const LightScene& light) {
     return watts;
 }
 
-/// Settings that keep the light of the sources apart as finely as the scenes need. A
-/// calculation that cannot tell them apart leaves the scenes out and says so.
-template <class AnySettings>
-AnySettings with_sources(AnySettings settings, const Scene& scene, const Project& project) {
-    if constexpr (requires { settings.contributions = SourceSplit::groups; }) {
-        if (!project.scenes.empty() && settings.contributions == SourceSplit::automatic)
-            settings.contributions = split_for(scene, project.scenes);
-    }
+/// Settings that keep the light of the sources apart as finely as the scenes need.
+Settings with_sources(Settings settings, const Scene& scene, const Project& project) {
+    if (!project.scenes.empty() && settings.contributions == SourceSplit::automatic)
+        settings.contributions = split_for(scene, project.scenes);
     return settings;
 }
 
