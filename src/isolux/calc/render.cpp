@@ -32,6 +32,7 @@ public:
           buffers_(make_view_buffers(setup_)) {
         const std::size_t n = setup_.size.pixels();
         pilot_.is_near_edge.assign(n, 0);
+        pilot_.faint.assign(n, 0);
         for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo})
             p->assign(n, 0.0F);
         sums_.illuminance.assign(n, 0.0F);
@@ -345,7 +346,7 @@ private:
         constexpr std::size_t sums = 4 * 3 + 1 + picture_replicates; // floats
         constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
         return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
-               + sizeof(std::uint16_t) + 1;
+               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1;
     }
 
     const View& view_;

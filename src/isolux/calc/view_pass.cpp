@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "isolux/calc/view_render.h"
@@ -13,13 +14,13 @@ namespace {
 /// Luminaires above this share of a surface's direct light are looked at every time, others in
 /// proportion, METHODS eq. (89).
 constexpr double always_looked_at = 0.04;
-constexpr double always_in_preview = 0.12;
 constexpr double least_chance = 0.05;
 
 /// A mirrored surface that makes up this much of the picture has all luminaires looked at.
 constexpr double strongly_mirrored = 0.3;
 
-constexpr SeenEffort effort_of_a_sample{4, 1, 1};
+constexpr SeenEffort effort_of_a_sample{4, 1, 4};
+constexpr SeenEffort effort_of_a_preview{2, 1, 2};
 
 /// Numbers of surfaces beside the primary one: below any pixel's.
 constexpr std::uint64_t further_surface = 1ULL << 40U;
@@ -104,36 +105,27 @@ private:
             where == Where::first
                 ? pilot_.is_near_edge[pixel_] != 0
                 : setup_.estimator.choose(seen, setup_.edge) == ReflectedBy::path_tracing;
-        Rgb e_indirect = reflected(
+        const Rgb e_reflected = reflected(
             seen, is_near_edge ? ReflectedBy::path_tracing : ReflectedBy::mis, pixel_);
+        Rgb faint;
         const Rgb e_direct =
-            where == Where::elsewhere ? light_on(seen, {}) : light_in_layers(seen, where);
-        Rgb mirrored;
-        if (!setup_.images.chains().empty()) {
-            const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-            const auto w = stream.words(pixel_, 0xfffff0U);
-            mirrored = setup_.mirrored.estimate(seen.at,
-                                                seen.normal,
-                                                {sobol_owen(unit_, 0, w[0]),
-                                                 sobol_owen(unit_, 1, w[1]),
-                                                 sobol_owen(unit_, 2, w[2]),
-                                                 sobol_owen(unit_, 3, w[3])},
-                                                rays_);
-        }
-        if (!is_finite(e_indirect + e_direct + mirrored))
+            where == Where::elsewhere ? light_on(seen) : light_in_layers(seen, where, faint);
+        const Rgb mirrored = mirrored_light(seen);
+        if (!is_finite(e_reflected + e_direct + faint + mirrored))
             return;
-        direct += luminance_of(seen, e_direct + mirrored);
-        indirect += luminance_of(seen, e_indirect);
+        direct += luminance_of(seen, e_direct + faint + mirrored);
+        indirect += luminance_of(seen, e_reflected);
         if (where == Where::elsewhere) {
-            rest += luminance_of(seen, e_direct + mirrored + e_indirect);
+            rest += luminance_of(seen, e_direct + mirrored + e_reflected);
             return;
         }
-        // What panes mirror is faint and soft enough to be smoothed with the reflected light;
-        // what mirrors do is not.
+        // Faint luminaires, and what panes mirror, are smoothed with the reflected light; what
+        // mirrors do is not.
+        Rgb smooth = e_reflected + faint;
         if (setup_.mirrored.is_strong())
             rest += luminance_of(seen, mirrored);
         else
-            e_indirect += mirrored;
+            smooth += mirrored;
         PixelGeometry& g = buffers_.geometry;
         constexpr double inverse_pi = 0.318309886183790671538;
         PixelSurface& surface = where == Where::first ? g.first : g.second;
@@ -143,14 +135,38 @@ private:
         if (where != Where::first)
             return;
         (is_a_ ? g.samples_a : g.samples_b)[pixel_] += 1.0F;
-        add(is_a_ ? buffers_.indirect.a : buffers_.indirect.b, pixel_, e_indirect);
+        add(is_a_ ? buffers_.indirect.a : buffers_.indirect.b, pixel_, smooth);
         for (std::size_t k = 0; k < visible_.size(); ++k) {
             LightLayer& layer = buffers_.lights[k];
             (is_a_ ? layer.visible_a : layer.visible_b)[pixel_] += narrow(visible_[k]);
         }
         sums_.illuminance[pixel_] +=
-            narrow(luminance_sum(e_direct + mirrored + e_indirect)
-                   - (setup_.mirrored.is_strong() ? 0.0 : luminance_sum(mirrored)));
+            narrow(luminance_sum(e_direct + faint + mirrored + e_reflected));
+    }
+
+    /// Straight light that comes by imaged mirrors; previews ask every fourth ray.
+    [[nodiscard]] Rgb mirrored_light(const SeenSurface& seen) {
+        if (setup_.images.chains().empty())
+            return {};
+        const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
+        const auto w = stream.words(pixel_, 0xfffff0U);
+        double u = sobol_owen(unit_, 0, w[0]);
+        double weight = 1.0;
+        if (setup_.settings.is_preview && !setup_.mirrored.is_strong()) {
+            constexpr double asked = 0.25;
+            if (u >= asked)
+                return {};
+            u /= asked;
+            weight = 1.0 / asked;
+        }
+        return weight
+               * setup_.mirrored.estimate(seen.at,
+                                          seen.normal,
+                                          {u,
+                                           sobol_owen(unit_, 1, w[1]),
+                                           sobol_owen(unit_, 2, w[2]),
+                                           sobol_owen(unit_, 3, w[3])},
+                                          rays_);
     }
 
     [[nodiscard]] Where where_is(const SeenSurface& seen) const noexcept {
@@ -172,52 +188,83 @@ private:
                                           by,
                                           cache_,
                                           setup_.counts,
-                                          effort_of_a_sample,
+                                          setup_.settings.is_preview ? effort_of_a_preview
+                                                                     : effort_of_a_sample,
                                           {setup_.settings.seed, replicate_, unit_, place},
                                           rays_);
     }
 
-    /// What share of luminaire `l` a look finds visible, METHODS eq. (89).
-    /// @param e         its unshadowed light
-    /// @param chance    of looking at all
-    /// @param expected  what the pilot found; it steers only
-    [[nodiscard]] double visible(const SeenSurface& seen,
-                                 std::size_t l,
-                                 double e,
-                                 double chance,
-                                 double expected,
-                                 std::uint32_t stream_block) {
+    /// One luminaire to be looked at: what is wanted is the share of it that is visible,
+    /// METHODS eq. (89).
+    struct Look {
+        std::size_t luminaire = 0;
+        double unshadowed = 0.0; ///< lx
+        double chance = 1.0;     ///< of looking at all
+        double expected = 1.0;   ///< what the pilot found; it steers only
+        std::uint32_t block = 0; ///< of the random numbers
+    };
+
+    /// Looks at up to packet_size luminaires at once. @return what is visible of each
+    std::array<double, packet_size> look_at(const SeenSurface& seen,
+                                            std::span<const Look> looks) {
         const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-        const auto words = stream.words(pixel_, stream_block);
-        if (chance < 1.0 && sobol_owen(unit_, 2, words[2]) >= chance)
-            return expected;
-        const LookResult look = setup_.light.look(l,
-                                                  seen.at,
-                                                  seen.normal,
-                                                  sobol_owen(unit_, 0, words[0]),
-                                                  sobol_owen(unit_, 1, words[1]),
-                                                  expected,
-                                                  rays_);
-        return expected + (look.visible - expected) * look.weight / (e * chance);
+        std::array<double, packet_size> visible{};
+        std::array<LightAim, packet_size> aims;
+        std::array<SightSegment, packet_size> sights;
+        std::array<float, packet_size> passed{};
+        std::uint32_t wanted = 0;
+        for (std::size_t k = 0; k < looks.size(); ++k) {
+            visible[k] = looks[k].expected;
+            const auto words = stream.words(pixel_, looks[k].block);
+            if (looks[k].chance < 1.0 && sobol_owen(unit_, 2, words[2]) >= looks[k].chance)
+                continue;
+            aims[k] = setup_.light.aim(looks[k].luminaire,
+                                       seen.at,
+                                       seen.normal,
+                                       sobol_owen(unit_, 0, words[0]),
+                                       sobol_owen(unit_, 1, words[1]));
+            sights[k] = aims[k].sight;
+            wanted |= aims[k].share > 0.0 ? 1U << k : 0U;
+        }
+        if (wanted == 0)
+            return visible;
+        setup_.scene.caster.transmittance16(std::span(sights).first(looks.size()),
+                                            wanted,
+                                            std::span(passed).first(looks.size()));
+        rays_ += static_cast<std::uint64_t>(std::popcount(wanted));
+        for (std::size_t k = 0; k < looks.size(); ++k) {
+            const double surprise = static_cast<double>(passed[k]) - looks[k].expected;
+            if ((wanted >> k & 1U) != 0 && surprise != 0.0)
+                visible[k] += surprise * setup_.light.weight(aims[k])
+                              / (looks[k].unshadowed * looks[k].chance);
+        }
+        return visible;
     }
 
     /// Share of the pilot's shadow rays that reached a luminaire of its own layer.
     [[nodiscard]] double expected_of(const LightLayer& layer) const noexcept {
-        if (layer.slope_min[pixel_] < 0.0F)
+        // Previews probe every fourth pixel: the neighbour's finding steers as well.
+        const std::size_t at =
+            setup_.settings.is_preview
+                ? (row_ & ~std::size_t{1}) * setup_.size.columns + (column_ & ~std::size_t{1})
+                : pixel_;
+        if (layer.slope_min[at] < 0.0F)
             return 1.0;
-        const double n = std::round(static_cast<double>(buffers_.geometry.coverage[pixel_])
-                                    * static_cast<double>(pilot_sight_lines(setup_.settings)));
-        const double occluded = static_cast<double>(layer.occluded[pixel_]) * (n + 1.0) - 0.5;
+        const double n =
+            std::max(1.0,
+                     std::round(static_cast<double>(buffers_.geometry.coverage[at])
+                                * static_cast<double>(pilot_sight_lines(setup_.settings))));
+        const double occluded = static_cast<double>(layer.occluded[at]) * (n + 1.0) - 0.5;
         return std::clamp(std::round(n - occluded) / n, 0.0, 1.0);
     }
 
-    [[nodiscard]] double chance_of(double e, double total) const noexcept {
-        const double always = setup_.settings.is_preview ? always_in_preview : always_looked_at;
-        return std::clamp(e / (always * total), least_chance, 1.0);
+    [[nodiscard]] static double chance_of(double e, double total) noexcept {
+        return std::clamp(e / (always_looked_at * total), least_chance, 1.0);
     }
 
     /// Direct light on one of the pixel's two surfaces; keeps what is visible of each layer.
-    Rgb light_in_layers(const SeenSurface& seen, Where where) {
+    /// @param faint  takes the light of the luminaires that have no shadow of their own here
+    Rgb light_in_layers(const SeenSurface& seen, Where where, Rgb& faint) {
         visible_.assign(buffers_.lights.size(), 1.0);
         const auto unshadowed = [&](std::size_t k) {
             const LightLayer& layer = buffers_.lights[k];
@@ -227,31 +274,69 @@ private:
         double total = 0.0;
         for (std::size_t k = 0; k < visible_.size(); ++k)
             total += unshadowed(k);
-        if (!(total > 0.0))
-            return {};
-        Rgb sum;
-        for (std::size_t k = 0; k < visible_.size(); ++k) {
+        std::array<Look, packet_size> looks;
+        std::array<std::size_t, packet_size> layer_of{};
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < setup_.single.size(); ++k) {
             const double e = unshadowed(k);
             if (!(e > 0.0))
                 continue;
-            const auto block = static_cast<std::uint32_t>(k);
-            visible_[k] =
-                k < setup_.single.size()
-                    ? visible(seen,
-                              setup_.single[k],
+            layer_of[count] = k;
+            looks[count++] = {setup_.single[k],
                               e,
                               chance_of(e, total),
                               where == Where::first ? expected_of(buffers_.lights[k]) : 1.0,
-                              block)
-                    : visible_of_merged(seen, e, block);
-            sum += (e * visible_[k]) * buffers_.lights[k].colour;
+                              static_cast<std::uint32_t>(k)};
         }
+        if (!setup_.merged.empty()) {
+            const std::size_t last = visible_.size() - 1;
+            const double e = unshadowed(last);
+            if (e > 0.0) {
+                layer_of[count] = last;
+                looks[count++] = merged_look(seen, e);
+            }
+        }
+        const std::size_t own = count;
+        const double of_faint = faint_look(seen, where, looks, count);
+        const auto found = look_at(seen, std::span(looks).first(count));
+        Rgb sum;
+        for (std::size_t i = 0; i < own; ++i) {
+            const std::size_t k = layer_of[i];
+            visible_[k] = found[i];
+            sum += (unshadowed(k) * found[i]) * buffers_.lights[k].colour;
+        }
+        if (count > own)
+            faint = (of_faint * found[own]) * setup_.emission.colour(looks[own].luminaire);
         return sum;
     }
 
+    /// One of the faint luminaires stands for all. @return how much it and all would send, were
+    /// they like it
+    double faint_look(const SeenSurface& seen,
+                      Where where,
+                      std::array<Look, packet_size>& looks,
+                      std::size_t& count) const {
+        const std::uint32_t both = pilot_.faint[pixel_];
+        std::uint32_t mask = where == Where::first ? both & 0xffffU : both >> 16U;
+        if (mask == 0)
+            return 0.0;
+        const int members = std::popcount(mask);
+        const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
+        const auto words = stream.words(pixel_, 0xfffff2U);
+        auto pick = static_cast<int>(sobol_owen(unit_, 2, words[2]) * members);
+        for (; pick > 0; --pick)
+            mask &= mask - 1U;
+        const auto k = static_cast<std::size_t>(std::countr_zero(mask));
+        const std::size_t l = setup_.single[k];
+        const double e = setup_.light.unshadowed(l, seen.at, seen.normal, setup_.detail);
+        if (!(e > 0.0))
+            return 0.0;
+        looks[count++] = {l, e, 1.0, 1.0, static_cast<std::uint32_t>(k)};
+        return e * members;
+    }
+
     /// One of the merged luminaires stands for all, drawn by what it would send.
-    [[nodiscard]] double
-    visible_of_merged(const SeenSurface& seen, double e, std::uint32_t block) {
+    [[nodiscard]] Look merged_look(const SeenSurface& seen, double e) const {
         thread_local std::vector<double> running;
         running.clear();
         double total = 0.0;
@@ -265,8 +350,6 @@ private:
                 least, setup_.light.unshadowed(l, seen.at, seen.normal, OpeningDetail::coarse));
             running.push_back(total);
         }
-        if (!(total > 0.0))
-            return 1.0;
         const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
         const auto words = stream.words(pixel_, 0xfffff1U);
         const double u = sobol_owen(unit_, 3, words[3]) * total;
@@ -274,13 +357,12 @@ private:
         const auto m = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
             it - running.begin(), static_cast<std::ptrdiff_t>(running.size()) - 1));
         const double share = (running[m] - (m > 0 ? running[m - 1] : 0.0)) / total;
-        if (!(share > 0.0))
-            return 1.0;
-        return visible(seen, setup_.merged[m], e * share, 1.0, 1.0, block);
+        // Its light is divided by the chance of having drawn it.
+        return {setup_.merged[m], e * std::max(share, 1e-12), 1.0, 1.0, 0xfffff3U};
     }
 
     /// Direct light on a surface that is none of the pixel's two: every luminaire.
-    Rgb light_on(const SeenSurface& seen, std::span<const double>) {
+    Rgb light_on(const SeenSurface& seen) {
         const std::size_t n = setup_.light.luminaires();
         thread_local std::vector<double> e;
         e.resize(n);
@@ -290,16 +372,24 @@ private:
             total += e[l];
         }
         Rgb sum;
-        for (std::size_t l = 0; l < n; ++l)
-            if (e[l] > 0.0)
-                sum += (e[l]
-                        * visible(seen,
-                                  l,
-                                  e[l],
-                                  chance_of(e[l], total),
-                                  1.0,
-                                  static_cast<std::uint32_t>(l) + 0x10000U))
-                       * setup_.emission.colour(l);
+        std::array<Look, packet_size> looks;
+        std::size_t count = 0;
+        const auto settle = [&] {
+            const auto found = look_at(seen, std::span(looks).first(count));
+            for (std::size_t i = 0; i < count; ++i)
+                sum += (looks[i].unshadowed * found[i])
+                       * setup_.emission.colour(looks[i].luminaire);
+            count = 0;
+        };
+        for (std::size_t l = 0; l < n; ++l) {
+            if (!(e[l] > 0.0))
+                continue;
+            looks[count++] = {
+                l, e[l], chance_of(e[l], total), 1.0, static_cast<std::uint32_t>(l) + 0x10000U};
+            if (count == packet_size)
+                settle();
+        }
+        settle();
         return sum;
     }
 
@@ -307,7 +397,7 @@ private:
     /// matters, one of them if it is faint.
     Rgb light_elsewhere(const SeenSurface& seen, NumberSequence& numbers) {
         if (seen.throughput >= strongly_mirrored)
-            return light_on(seen, {});
+            return light_on(seen);
         const double u_luminaire = numbers.next();
         const double u = numbers.next();
         const double v = numbers.next();

@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t most_samples = 4; ///< of the pilot
 
-/// Luminaires that give less than this share of a pixel's direct light are not probed: what
-/// they shade is not worth a filter.
+/// Luminaires that give less than this share of a pixel's direct light are faint there: their
+/// shadows are smoothed with the reflected light.
 constexpr double least_share = 0.01;
-constexpr double least_share_of_preview = 0.04;
+constexpr double least_share_of_preview = 0.05;
 
 /// Directions nearer to the surface than this cosine say nothing (METHODS eq. (95)).
 constexpr double most_grazing = 0.22;
@@ -106,33 +106,40 @@ public:
         g.lens_shift_max[pixel_] = static_cast<float>(high);
     }
 
-    void write_lights(PixelBuffers& buffers) {
+    void write_lights(PixelBuffers& buffers, PilotPlanes& pilot) {
         if (clusters_used_ == 0)
             return;
         const Place first = first_place();
         std::vector<double>& e = light_on(first);
-        double total = 0.0;
-        for (const double v : e)
-            total += v;
-        const double least =
-            total * (setup_.settings.is_preview ? least_share_of_preview : least_share);
+        const double least = least_of(e);
+        std::uint32_t faint = 0;
         for (std::size_t k = 0; k < setup_.single.size(); ++k) {
-            LightLayer& layer = buffers.lights[k];
-            layer.unshadowed_first[pixel_] = static_cast<float>(e[k]);
-            if (e[k] > least)
-                probe(setup_.single[k], layer, false);
+            if (e[k] <= least) {
+                faint |= e[k] > 0.0 ? 1U << k : 0U;
+                continue;
+            }
+            buffers.lights[k].unshadowed_first[pixel_] = static_cast<float>(e[k]);
+            if (is_probed())
+                probe(setup_.single[k], buffers.lights[k], false);
         }
         if (!setup_.merged.empty()) {
             LightLayer& layer = buffers.lights.back();
             layer.unshadowed_first[pixel_] = static_cast<float>(e.back());
-            if (e.back() > least)
+            if (e.back() > least && is_probed())
                 probe_merged(first, layer);
         }
         if (second_ < clusters_used_) {
             const std::vector<double>& s = light_on(place_of(second_));
-            for (std::size_t k = 0; k < s.size(); ++k)
-                buffers.lights[k].unshadowed_second[pixel_] = static_cast<float>(s[k]);
+            const double least_second = least_of(s);
+            for (std::size_t k = 0; k < s.size(); ++k) {
+                const bool is_faint = k < setup_.single.size() && s[k] <= least_second;
+                if (is_faint)
+                    faint |= s[k] > 0.0 ? 1U << (16U + k) : 0U;
+                else
+                    buffers.lights[k].unshadowed_second[pixel_] = static_cast<float>(s[k]);
+            }
         }
+        pilot.faint[pixel_] = faint;
     }
 
     void write_distances(IndirectLayer& indirect) {
@@ -166,8 +173,13 @@ public:
         if (clusters_used_ == 0)
             return false;
         const Place p = first_place();
-        const double reach = setup_.settings.is_preview ? 0.25 * setup_.edge : setup_.edge;
-        return setup_.scene.caster.find_nearest_surfaces(p.at, reach).second < reach;
+        return setup_.scene.caster.find_nearest_surfaces(p.at, setup_.edge).second
+               < setup_.edge;
+    }
+
+    /// Previews look for occluders and distances in every fourth pixel.
+    [[nodiscard]] bool is_probed() const noexcept {
+        return !setup_.settings.is_preview || (column_ % 2 == 0 && row_ % 2 == 0);
     }
 
 private:
@@ -175,6 +187,13 @@ private:
         Point3 at;
         UnitVector3 normal;
     };
+
+    [[nodiscard]] double least_of(const std::vector<double>& e) const noexcept {
+        double total = 0.0;
+        for (const double v : e)
+            total += v;
+        return total * (setup_.settings.is_preview ? least_share_of_preview : least_share);
+    }
 
     std::size_t join(const PilotSample& s) {
         for (std::size_t c = 0; c < clusters_used_; ++c)
@@ -271,19 +290,32 @@ private:
         std::size_t occluded = 0;
         double low = std::numeric_limits<double>::infinity();
         double high = -1.0;
+        std::array<LightAim, most_samples> aims;
+        std::array<SightSegment, most_samples> sights;
+        std::array<float, most_samples> visible{};
+        std::array<std::size_t, most_samples> owner{};
+        std::uint32_t wanted = 0;
         for (std::size_t s = 0; s < used_; ++s) {
             if (samples_[s].cluster != first_)
                 continue;
-            const auto index = static_cast<std::uint32_t>(looks++);
-            const OccluderSlopes slopes =
-                setup_.light.find_occluders(l,
-                                            samples_[s].seen.at,
-                                            samples_[s].seen.normal,
-                                            sobol_owen(index, 0, words[0]),
-                                            sobol_owen(index, 1, words[1]),
-                                            rays_);
-            if (!slopes.is_occluded)
+            const auto index = static_cast<std::uint32_t>(looks);
+            aims[looks] = setup_.light.aim(l,
+                                           samples_[s].seen.at,
+                                           samples_[s].seen.normal,
+                                           sobol_owen(index, 0, words[0]),
+                                           sobol_owen(index, 1, words[1]));
+            sights[looks] = aims[looks].sight;
+            wanted |= aims[looks].share > 0.0 ? 1U << looks : 0U;
+            owner[looks++] = s;
+        }
+        if (wanted != 0)
+            setup_.scene.caster.transmittance16(
+                std::span(sights).first(looks), wanted, std::span(visible).first(looks));
+        for (std::size_t k = 0; k < looks; ++k) {
+            if ((wanted >> k & 1U) == 0 || visible[k] > 0.0F)
                 continue;
+            const OccluderSlopes slopes =
+                setup_.light.find_occluders(aims[k], samples_[owner[k]].seen.at, rays_);
             ++occluded;
             low = std::min(low, slopes.nearest_surface);
             high = std::max(high, slopes.nearest_light);
@@ -348,8 +380,9 @@ void run_pilot(const ViewSetup& setup,
             PixelPilot p(setup, column, row);
             p.look();
             p.write_geometry(buffers);
-            p.write_lights(buffers);
-            p.write_distances(buffers.indirect);
+            p.write_lights(buffers, pilot);
+            if (p.is_probed())
+                p.write_distances(buffers.indirect);
             pilot.is_near_edge[row * setup.size.columns + column] = p.is_near_edge() ? 1 : 0;
         }
     });

@@ -58,6 +58,9 @@ struct ViewSetup {
 /// What the pilot found beside the buffers' own planes.
 struct PilotPlanes {
     std::vector<std::uint8_t> is_near_edge; ///< the majority surface is traced
+    /// Luminaires whose light is too faint to be worth a shadow of its own: bit k stands for
+    /// layer k on the first surface, bit 16 + k for the second.
+    std::vector<std::uint32_t> faint;
 };
 
 /// Sums over the samples of a picture; divided by their number at the end.

@@ -159,51 +159,36 @@ double SeenLight::unshadowed(std::size_t l,
     return sum;
 }
 
-LookResult SeenLight::look(std::size_t l,
-                           const Point3& at,
-                           const UnitVector3& normal,
-                           double u,
-                           double v,
-                           double expected,
-                           std::uint64_t& rays) const noexcept {
+LightAim SeenLight::aim(std::size_t l,
+                        const Point3& at,
+                        const UnitVector3& normal,
+                        double u,
+                        double v) const noexcept {
     const OpeningView view = emission_->view(l, at);
-    const EmissionPoint from = view.sample(u, v);
-    const Vector3 d = at - from.position;
+    LightAim aim;
+    aim.from = view.sample(u, v);
+    const Vector3 d = at - aim.from.position;
     const double d2 = length_squared(d);
     if (!(d2 > 0.0))
-        return {expected, 0.0};
-    const UnitVector3 w(d);
-    const double cosine = -dot(normal, w);
-    if (cosine <= 0.0)
-        return {expected, 0.0}; // no light from there, seen or not
-    ++rays;
-    const double passed = scene_->caster.transmittance(at, emission_->departure(from, w));
-    if (passed == expected)
-        return {passed, 0.0};
-    const double density = view.pdf(from);
-    if (!(density > 0.0))
-        return {expected, 0.0};
-    return {passed, emission_->evaluate(from, w) * cosine / (d2 * density)};
+        return aim;
+    aim.w = UnitVector3(d);
+    const double cosine = -dot(normal, aim.w);
+    const double density = view.pdf(aim.from);
+    if (cosine <= 0.0 || !(density > 0.0))
+        return aim;
+    aim.share = cosine / (d2 * density);
+    aim.sight = {at, emission_->departure(aim.from, aim.w)};
+    return aim;
 }
 
-OccluderSlopes SeenLight::find_occluders(std::size_t l,
+OccluderSlopes SeenLight::find_occluders(const LightAim& aim,
                                          const Point3& at,
-                                         const UnitVector3& normal,
-                                         double u,
-                                         double v,
                                          std::uint64_t& rays) const noexcept {
-    const OpeningView view = emission_->view(l, at);
-    const EmissionPoint from = view.sample(u, v);
-    const UnitVector3 w(at - from.position);
-    if (dot(normal, w) >= 0.0)
-        return {};
-    const Point3 light = emission_->departure(from, w);
-    ++rays;
-    if (scene_->caster.transmittance(at, light) > 0.0)
-        return {};
     OccluderSlopes slopes;
-    slopes.is_occluded = true;
-    const UnitVector3 axis = normal_of(l);
+    const Point3 light = aim.sight.b;
+    const UnitVector3 w = aim.w;
+    const EmissionPoint& from = aim.from;
+    const UnitVector3 axis = normal_of(from.luminaire);
     const double d1 = std::abs(dot(axis, at - from.position));
     // The first opaque surface on the way from either end; panes are looked through.
     const auto find = [&](Point3 origin, const UnitVector3& towards, double far) {

@@ -15,16 +15,17 @@ enum class OpeningDetail : std::uint8_t {
     coarse ///< previews: one point an opening farther away than twice its size
 };
 
-/// What one look at a luminaire found.
-struct LookResult {
-    double visible = 0.0; ///< V, 0..1
-    double weight = 0.0;  ///< illuminance of the look over its density, lx; 0 if V is expected
+/// A point of a luminaire to be looked at from a surface.
+struct LightAim {
+    SightSegment sight;
+    EmissionPoint from;
+    UnitVector3 w;      ///< from the luminaire to the surface
+    double share = 0.0; ///< cosine / (d2 density); 0: no light comes from there, seen or not
 };
 
 /// Occluders on the line between a surface and a luminaire, as the filter
 /// wants them: slopes d1/d2 - 1, distances along the luminaire's normal, METHODS eq. (93).
 struct OccluderSlopes {
-    bool is_occluded = false;
     double nearest_surface = 0.0; ///< of the occluder next to the surface: the smallest slope
     double nearest_light = 0.0;   ///< of the one next to the luminaire: the largest
 };
@@ -44,23 +45,21 @@ public:
                                     const UnitVector3& normal,
                                     OpeningDetail detail) const noexcept;
 
-    /// Looks at one point of the luminaire, chosen by u and v. @param expected  a visibility
-    /// that needs no weight
-    [[nodiscard]] LookResult look(std::size_t l,
-                                  const Point3& at,
-                                  const UnitVector3& normal,
-                                  double u,
-                                  double v,
-                                  double expected,
-                                  std::uint64_t& rays) const noexcept;
+    /// A point of the luminaire, chosen by u and v.
+    [[nodiscard]] LightAim aim(std::size_t l,
+                               const Point3& at,
+                               const UnitVector3& normal,
+                               double u,
+                               double v) const noexcept;
 
-    /// Looks for what stands between, from both ends.
-    [[nodiscard]] OccluderSlopes find_occluders(std::size_t l,
-                                                const Point3& at,
-                                                const UnitVector3& normal,
-                                                double u,
-                                                double v,
-                                                std::uint64_t& rays) const noexcept;
+    /// Illuminance of the point over its density, lx, if nothing stands between.
+    [[nodiscard]] double weight(const LightAim& aim) const noexcept {
+        return aim.share > 0.0 ? emission_->evaluate(aim.from, aim.w) * aim.share : 0.0;
+    }
+
+    /// What stands on a line of sight that is known to be blocked, looked for from both ends.
+    [[nodiscard]] OccluderSlopes
+    find_occluders(const LightAim& aim, const Point3& at, std::uint64_t& rays) const noexcept;
 
     /// Towards the side a flat opening shines to; of a solid one, the luminaire's nadir.
     [[nodiscard]] UnitVector3 normal_of(std::size_t l) const noexcept;
