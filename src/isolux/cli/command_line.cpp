@@ -39,6 +39,7 @@ constexpr std::array verbs{
     Verb{"standards", add_standards},
     Verb{"diff", add_diff},
     Verb{"scenes", add_scenes},
+    Verb{"view", add_view},
 };
 
 constexpr const char* top_level_footer = R"(

@@ -28,6 +28,7 @@
 #include "isolux/report/report_files.h"
 #include "isolux/viz/map.h"
 #include "isolux/viz/vtk_export.h"
+#include "isolux/viz/web_export.h"
 
 namespace isolux {
 
@@ -48,18 +49,20 @@ struct RunOptions {
 constexpr std::size_t samples_of_views = 8;
 
 /// Stems of one file a surface, none of which is `reserved`.
-std::vector<std::string> surface_stems(const Results& results, const char* reserved) {
-    std::vector<std::string> names{reserved};
+std::vector<std::string> surface_stems(const Results& results,
+                                       const std::vector<std::string>& reserved) {
+    std::vector<std::string> names = reserved;
     for (const SurfaceResult& s : results.surfaces)
         names.push_back(s.surface.name);
     std::vector<std::string> stems = file_stems(names);
-    stems.erase(stems.begin());
+    stems.erase(stems.begin(), stems.begin() + static_cast<std::ptrdiff_t>(reserved.size()));
     return stems;
 }
 
 void write_vtk(const fs::path& folder, const Scene& scene, const Results& results) {
     write_room_vtp(folder / "room.vtp", scene);
-    const std::vector<std::string> stems = surface_stems(results, "room");
+    write_webs_vtp(folder / (std::string(webs_stem) + ".vtp"), scene);
+    const std::vector<std::string> stems = surface_stems(results, {"room", webs_stem});
     for (std::size_t i = 0; i < stems.size(); ++i)
         write_surface_vtp(
             folder / (stems[i] + ".vtp"), results.surfaces[i], results.confidence);
@@ -77,7 +80,7 @@ void write_maps(const fs::path& folder, const ResultsDocument& document) {
     for (const SurfaceResult& s : results.surfaces)
         surfaces.push_back(s.surface);
     write_plan_map(folder / "plan", plan, surfaces, document.project_name);
-    const std::vector<std::string> stems = surface_stems(results, "plan");
+    const std::vector<std::string> stems = surface_stems(results, {"plan"});
     for (std::size_t i = 0; i < stems.size(); ++i)
         write_map(folder / stems[i], results.surfaces[i], plan, notes);
 }

@@ -37,5 +37,6 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] Action add_standards(CLI::App& verb);
 [[nodiscard]] Action add_diff(CLI::App& verb);
 [[nodiscard]] Action add_scenes(CLI::App& verb);
+[[nodiscard]] Action add_view(CLI::App& verb);
 
 } // namespace isolux

@@ -83,12 +83,7 @@ vtkNew<vtkPolyData> make_triangles(const CellField& field) {
     return data;
 }
 
-/// VTK's polygons, each inside one band between two levels.
-struct Bands {
-    std::vector<Point2> points;
-    std::vector<std::vector<std::size_t>> polygons; ///< counter-clockwise
-    std::vector<std::size_t> band; ///< of each polygon: how many levels are at or below it
-};
+} // namespace
 
 Bands cut_into_bands(const CellField& field, std::span<const double> levels) {
     const vtkNew<vtkPolyData> triangles = make_triangles(field);
@@ -126,6 +121,8 @@ Bands cut_into_bands(const CellField& field, std::span<const double> levels) {
     }
     return bands;
 }
+
+namespace {
 
 /// A border between bands, or between a band and the outside.
 struct BorderEdge {

@@ -32,6 +32,16 @@ struct Contour {
     std::vector<Polyline> lines;  ///< where E == level; a ring repeats its first point
 };
 
+/// The field cut along its contours by VTK: polygons, each inside one band between two levels.
+struct Bands {
+    std::vector<Point2> points;                     ///< metres in the grid's own (u, v)
+    std::vector<std::vector<std::size_t>> polygons; ///< counter-clockwise
+    std::vector<std::size_t> band; ///< of each polygon: how many levels are at or below it
+};
+
+/// @param levels  ascending
+[[nodiscard]] Bands cut_into_bands(const CellField& field, std::span<const double> levels);
+
 /// Contours of the field as smooth_to_lattice continues it, computed by VTK. The domain is the
 /// union of the valued cells.
 /// @param levels  ascending

@@ -221,6 +221,21 @@ void write_names(Drawing& page, const SpaceView& view) {
 
 } // namespace
 
+WebMesh make_web_mesh(const LuminaireType& type) {
+    const double largest = largest_intensity(type);
+    const std::vector<double> gammas = choose_gammas(type, largest > 0.0 ? largest : 1.0, 40);
+    WebMesh mesh{48, gammas.size(), {}, {}};
+    for (const double gamma : gammas)
+        for (std::size_t s = 0; s < mesh.sectors; ++s) {
+            const double c =
+                2.0 * pi * static_cast<double>(s) / static_cast<double>(mesh.sectors);
+            mesh.candela.push_back(intensity(type, c, gamma));
+            mesh.points.push_back(
+                polar_point(largest > 0.0 ? mesh.candela.back() / largest : 0.0, c, gamma));
+        }
+    return mesh;
+}
+
 void draw_web(Drawing& page,
               const Box& box,
               const LuminaireType& type,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "isolux/scene/luminaire.h"
 #include "isolux/viz/drawing_parts.h"
 #include "isolux/viz/space_view.h"
@@ -14,5 +17,15 @@ void draw_web(Drawing& page,
               const Box& box,
               const LuminaireType& type,
               const ViewAngles& angles = {});
+
+/// The photometric solid as a lattice in the luminaire's own frame, its largest radius 1.
+struct WebMesh {
+    std::size_t sectors = 0;     ///< C planes, evenly spread from C0
+    std::size_t rings = 0;       ///< gammas from nadir to zenith, denser where the solid bends
+    std::vector<Point3> points;  ///< ring after ring
+    std::vector<double> candela; ///< of every point
+};
+
+[[nodiscard]] WebMesh make_web_mesh(const LuminaireType& type);
 
 } // namespace isolux
