@@ -28,6 +28,7 @@ constexpr std::array verbs{
     Verb{"sense", add_sense},
     Verb{"luminance", add_luminance},
     Verb{"render", add_render},
+    Verb{"compare", add_compare},
     Verb{"check", add_check},
     Verb{"selftest", add_selftest},
     Verb{"reference", add_reference},

@@ -26,6 +26,7 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] Action add_sense(CLI::App& verb);
 [[nodiscard]] Action add_luminance(CLI::App& verb);
 [[nodiscard]] Action add_render(CLI::App& verb);
+[[nodiscard]] Action add_compare(CLI::App& verb);
 [[nodiscard]] Action add_check(CLI::App& verb);
 [[nodiscard]] Action add_selftest(CLI::App& verb);
 [[nodiscard]] Action add_reference(CLI::App& verb);
