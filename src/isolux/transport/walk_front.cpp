@@ -18,9 +18,6 @@ constexpr double pi = std::numbers::pi;
 /// So many connections are settled at a time, to keep memory small.
 constexpr std::size_t most_waiting = 4096;
 
-/// Vertices that are weighed for each one that is looked at.
-constexpr std::size_t vertex_candidates = 8;
-
 } // namespace
 
 void WalkFront::start(const Scene& scene,
@@ -165,78 +162,38 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
         offer(walk, y, true);
 }
 
-/// METHODS "LE-MIS", T2 for k >= 3: of a few vertices, evenly spread over the batch, one is
-/// looked at, METHODS eq. (123). Vertices nearer than `nearest` are left to the walk itself.
+/// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself.
 void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
     const double u = walk.numbers.next();
-    double pick = walk.numbers.next();
     if (cache_->empty())
         return;
-    const double n = static_cast<double>(cache_->size());
-    const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
-    const double stride = n / static_cast<double>(vertex_candidates);
-    const auto first = static_cast<std::size_t>(u * n);
-    double sum = 0.0;
-    double chosen = 0.0;
-    std::size_t drawn = 0;
-    Candidate best;
-    for (std::size_t c = 0; c < vertex_candidates; ++c) {
-        double place = static_cast<double>(first) + static_cast<double>(c) * stride;
-        place = place >= n ? place - n : place;
-        const std::size_t number =
-            std::min(cache_->size() - 1, static_cast<std::size_t>(place));
-        const Candidate candidate = candidate_at(number, y, p2, nearest);
-        if (!(candidate.weight > 0.0))
-            continue;
-        sum += candidate.weight;
-        const double share = candidate.weight / sum;
-        if (pick < share) {
-            best = candidate;
-            drawn = number;
-            chosen = candidate.weight;
-            pick /= share;
-        } else {
-            pick = (pick - share) / (1.0 - share);
-        }
-    }
-    if (!(sum > 0.0))
-        return;
+    const std::size_t n = cache_->size();
+    const std::size_t drawn =
+        std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
     const PathVertex& v = cache_->vertices[drawn];
-    const double share = n / static_cast<double>(cache_->paths) * sum
-                         / (static_cast<double>(vertex_candidates) * chosen);
+    const Vector3 d = y.at - v.position;
+    const double d2 = length_squared(d);
+    if (!(d2 > 0.0) || d2 < nearest * nearest)
+        return;
+    const double inverse = 1.0 / std::sqrt(d2);
+    const double cos_v = inverse * dot(v.normal, d);
+    const double cos_y = -inverse * dot(y.normal, d);
+    if (cos_v <= 0.0 || cos_y <= 0.0)
+        return;
+    const double p1 = v.continuation * (cos_v / pi) * cos_y / d2;
+    const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
+    const double share = static_cast<double>(n) / static_cast<double>(cache_->paths);
     std::uint32_t trail = reflected_by(y.material, walk.trail);
     if (ledger_->wants_trails())
         visit_chain(*cache_, drawn, [&](MaterialId m) { trail = trails_.add(m, trail); });
     connections_.add({{v.position, y.at},
-                      (y.throughput * share * best.geometry / pi)
+                      (y.throughput * share * cos_v * cos_y / (d2 * pi))
                           * (walk.throughput * v.radiant * y.diffuse),
-                      counts_.vertices * best.p1,
+                      counts_.vertices * p1,
                       counts_.gather_later * p2,
                       walk.point,
                       v.luminaire,
                       trail});
-}
-
-WalkFront::Candidate WalkFront::candidate_at(std::size_t vertex,
-                                             const Meeting& y,
-                                             double p2,
-                                             double nearest) const noexcept {
-    const PathVertex& v = cache_->vertices[vertex];
-    const Vector3 d = y.at - v.position;
-    const double d2 = length_squared(d);
-    if (!(d2 > 0.0) || d2 < nearest * nearest)
-        return {};
-    const double along_v = dot(v.normal, d);
-    const double along_y = -dot(y.normal, d);
-    if (along_v <= 0.0 || along_y <= 0.0)
-        return {};
-    Candidate c;
-    c.geometry = along_v * along_y / (d2 * d2);
-    c.p1 = v.continuation * c.geometry / pi;
-    const double gather = counts_.gather_later * p2;
-    c.weight = luminance_sum(v.radiant * y.diffuse) * c.geometry * gather
-               / (counts_.vertices * c.p1 + gather);
-    return c;
 }
 
 /// The luminaires light y, and the walk may go on from there: one of the surfaces that a flight

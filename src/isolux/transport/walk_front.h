@@ -62,13 +62,6 @@ private:
         std::uint32_t trail = Trails::none; ///< surfaces the walk was sent on from
     };
 
-    /// A cached vertex that may light a surface.
-    struct Candidate {
-        double geometry = 0.0; ///< both cosines over the squared distance, 1/m2
-        double p1 = 0.0;       ///< METHODS eq. (7), 1/m2
-        double weight = 0.0;   ///< of choosing it; 0: it sends no light there
-    };
-
     struct Ray {
         Branch branch;
         std::uint32_t walk = 0;
@@ -79,10 +72,6 @@ private:
     void arrive(const Ray& ray, const SurfaceHit& hit);
     void gather_at(Walk& walk, const Meeting& y);
     void connect_vertex(Walk& walk, const Meeting& y, double nearest);
-    [[nodiscard]] Candidate candidate_at(std::size_t vertex,
-                                         const Meeting& y,
-                                         double p2,
-                                         double nearest) const noexcept;
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
     void offer(Walk& walk, const Meeting& y, bool into_corner);
