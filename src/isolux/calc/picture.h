@@ -41,7 +41,8 @@ struct ViewPicture {
     bool interrupted = false;
     double error = 0.0; ///< of the raw picture: METHODS eq. (91)
     double wall_seconds = 0.0;
-    double cpu_seconds = 0.0;
+    double cpu_seconds = 0.0;        ///< of the whole process
+    double filter_cpu_seconds = 0.0; ///< of these, for the filter
     std::size_t bytes_a_pixel = 0; ///< held while rendering
     std::uint64_t rays = 0;
 

@@ -223,11 +223,13 @@ private:
         sums_.replicate.clear();
         picture.is_preview = settings_.is_preview;
         picture.interrupted = interrupted_;
+        const double before = cpu_seconds();
         if (settings_.filter == PictureFilter::axis_aligned)
             filter_along_surfaces(picture);
         take_geometry(picture);
         if (denoiser_)
             denoise(picture);
+        picture.filter_cpu_seconds = cpu_seconds() - before;
         picture.wall_seconds = seconds();
         picture.cpu_seconds = cpu_seconds() - cpu_start_;
         return picture;

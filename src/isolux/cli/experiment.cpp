@@ -22,6 +22,10 @@ struct Experiment {
 
 constexpr std::array experiments{
     Experiment{"sobolev", add_sobolev_experiment},
+    Experiment{"denoise", add_denoise_experiment},
+    Experiment{"soft-shadow", add_soft_shadow_experiment},
+    Experiment{"indirect", add_indirect_experiment},
+    Experiment{"lens", add_lens_experiment},
 };
 
 } // namespace
@@ -41,6 +45,8 @@ Action add_experiment(CLI::App& verb) {
     verb.footer(R"(
 Examples:
   isolux experiment sobolev               every method on one problem with a closed answer
+  isolux experiment denoise               noisy and denoised pictures beside a converged one
+  isolux experiment indirect              what the filter is worth, in samples and seconds
   isolux experiment sobolev --help        options and examples of an experiment)");
     return [actions, names] {
         for (const auto& [sub, action] : actions)
