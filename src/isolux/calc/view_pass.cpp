@@ -20,7 +20,6 @@ constexpr double least_chance = 0.05;
 constexpr double strongly_mirrored = 0.3;
 
 constexpr SeenEffort effort_of_a_sample{4, 1, 4};
-constexpr SeenEffort effort_of_a_preview{2, 1, 2};
 
 /// Numbers of surfaces beside the primary one: below any pixel's.
 constexpr std::uint64_t further_surface = 1ULL << 40U;
@@ -37,6 +36,17 @@ void add(Planes3& planes, std::size_t pixel, const Rgb& c) noexcept {
 
 bool is_finite(const Rgb& c) noexcept { return std::isfinite(c.r + c.g + c.b); }
 
+/// Reflected light that previews find once for the pixels of a block that show one surface.
+struct SharedLight {
+    std::uint32_t object = 0; ///< 0: nothing found yet
+    UnitVector3 normal;
+    Rgb reflected; ///< lx
+
+    [[nodiscard]] bool is_for(std::uint32_t other, const UnitVector3& n) const noexcept {
+        return object != 0 && object == other && dot(normal, n) >= same_normal;
+    }
+};
+
 /// One ray through one pixel.
 class PixelSample {
 public:
@@ -46,12 +56,13 @@ public:
                 const PilotPlanes& pilot,
                 PixelBuffers& buffers,
                 PictureSums& sums,
+                SharedLight* shared,
                 std::size_t column,
                 std::size_t row)
         : setup_(setup), cache_(cache), pilot_(pilot), buffers_(buffers), sums_(sums),
-          column_(column), row_(row), pixel_(row * setup.size.columns + column),
-          replicate_(pass % picture_replicates), unit_(pass / picture_replicates),
-          is_a_(replicate_ % 2 == 0) {}
+          shared_(shared), column_(column), row_(row),
+          pixel_(row * setup.size.columns + column), replicate_(pass % picture_replicates),
+          unit_(pass / picture_replicates), is_a_(replicate_ % 2 == 0) {}
 
     void take() {
         thread_local EyePath path;
@@ -101,12 +112,7 @@ public:
 private:
     void add_primary(const SeenSurface& seen, Rgb& direct, Rgb& indirect, Rgb& rest) {
         const Where where = where_is(seen);
-        const bool is_near_edge =
-            where == Where::first
-                ? pilot_.is_near_edge[pixel_] != 0
-                : setup_.estimator.choose(seen, setup_.edge) == ReflectedBy::path_tracing;
-        const Rgb e_reflected = reflected(
-            seen, is_near_edge ? ReflectedBy::path_tracing : ReflectedBy::mis, pixel_);
+        const Rgb e_reflected = reflected_on(seen, where);
         Rgb faint;
         const Rgb e_direct =
             where == Where::elsewhere ? light_on(seen) : light_in_layers(seen, where, faint);
@@ -142,6 +148,22 @@ private:
         }
         sums_.illuminance[pixel_] +=
             narrow(luminance_sum(e_direct + faint + mirrored + e_reflected));
+    }
+
+    /// Reflected light on the primary surface.
+    [[nodiscard]] Rgb reflected_on(const SeenSurface& seen, Where where) {
+        const std::uint32_t object = object_of(setup_.scene, seen);
+        if (shared_ != nullptr && shared_->is_for(object, seen.normal))
+            return shared_->reflected;
+        const bool is_near_edge =
+            where == Where::first
+                ? pilot_.is_near_edge[pixel_] != 0
+                : setup_.estimator.choose(seen, setup_.edge) == ReflectedBy::path_tracing;
+        const Rgb e = reflected(
+            seen, is_near_edge ? ReflectedBy::path_tracing : ReflectedBy::mis, pixel_);
+        if (shared_ != nullptr && is_finite(e))
+            *shared_ = {object, seen.normal, e};
+        return e;
     }
 
     /// Straight light that comes by imaged mirrors; previews ask every fourth ray.
@@ -188,8 +210,7 @@ private:
                                           by,
                                           cache_,
                                           setup_.counts,
-                                          setup_.settings.is_preview ? effort_of_a_preview
-                                                                     : effort_of_a_sample,
+                                          effort_of_a_sample,
                                           {setup_.settings.seed, replicate_, unit_, place},
                                           rays_);
     }
@@ -412,6 +433,7 @@ private:
     const PilotPlanes& pilot_;
     PixelBuffers& buffers_;
     PictureSums& sums_;
+    SharedLight* shared_;
     std::size_t column_, row_, pixel_;
     std::uint32_t replicate_, unit_;
     bool is_a_;
@@ -432,12 +454,30 @@ void add_samples(const ViewSetup& setup,
     const std::size_t a = setup.slices_a_side;
     const std::size_t end_row = std::min(setup.size.rows, first_row + tile_side);
     const std::size_t end_column = std::min(setup.size.columns, first_column + tile_side);
-    for (std::size_t row = first_row; row < end_row; ++row)
-        for (std::size_t column = first_column; column < end_column; ++column) {
-            // Neighbours have different slices, and every pixel another one in every pass.
-            const std::size_t slice =
-                (column % a + a * (row % a) + 37U * std::size_t{pass}) % (a * a);
-            PixelSample(setup, pass, caches[slice], pilot, buffers, sums, column, row).take();
+    const auto sample = [&](std::size_t column, std::size_t row, SharedLight* shared) {
+        // Neighbours have different slices, and every pixel another one in every pass.
+        const std::size_t slice =
+            (column % a + a * (row % a) + 37U * std::size_t{pass}) % (a * a);
+        PixelSample(setup, pass, caches[slice], pilot, buffers, sums, shared, column, row)
+            .take();
+    };
+    if (!setup.settings.is_preview) {
+        for (std::size_t row = first_row; row < end_row; ++row)
+            for (std::size_t column = first_column; column < end_column; ++column)
+                sample(column, row, nullptr);
+        return;
+    }
+    // Blocks of two by two; every pass begins at another pixel of them.
+    for (std::size_t row = first_row; row < end_row; row += 2)
+        for (std::size_t column = first_column; column < end_column; column += 2) {
+            SharedLight shared;
+            for (std::uint32_t k = 0; k < 4; ++k) {
+                const std::uint32_t corner = k ^ (3U * (pass % 2)) ^ (pass / 2 % 2);
+                const std::size_t x = column + (corner & 1U);
+                const std::size_t y = row + (corner >> 1U);
+                if (x < end_column && y < end_row)
+                    sample(x, y, &shared);
+            }
         }
 }
 
