@@ -109,5 +109,23 @@ TEST(PicturePng, IsAsLargeAsThePictureAndHasALegendBesideFalseColours) {
     EXPECT_NE(b, c);
 }
 
+TEST(PicturePng, ShowsNoBandsWhereAnEvenPictureHasNothingButNoise) {
+    const fs::path folder = fs::temp_directory_path() / "isolux-picture-png-even-test";
+    fs::create_directories(folder);
+    ViewPicture p = grey_ramp();
+    const auto draw = [&](const char* name, float noise) {
+        for (std::size_t i = 0; i < p.illuminance.size(); ++i)
+            p.illuminance[i] = 397.0F + (i % 3 == 0 ? noise : -0.5F * noise);
+        write_false_colours(folder / name, p, PictureQuantity::illuminance, "even");
+        return read_bytes(folder / name);
+    };
+    const std::string even = draw("even.png", 0.0F);
+    const std::string noisy = draw("noisy.png", 0.4F);
+    const std::string uneven = draw("uneven.png", 200.0F);
+    fs::remove_all(folder);
+    EXPECT_EQ(even, noisy);
+    EXPECT_NE(even, uneven);
+}
+
 } // namespace
 } // namespace isolux::test

@@ -114,6 +114,9 @@ std::vector<std::optional<double>> values_of(const ViewPicture& p, PictureQuanti
     return values;
 }
 
+/// Of the bands together, as a share of their largest value.
+constexpr double least_span = 0.1;
+
 struct Bands {
     std::vector<double> breaks;
     std::vector<Colour> colours;
@@ -136,8 +139,13 @@ Bands make_bands(const std::vector<std::optional<double>>& values) {
             return sorted[static_cast<std::size_t>(share
                                                    * static_cast<double>(sorted.size() - 1))];
         };
-        const double high = at(high_share);
-        const double low = std::max(at(low_share), 1e-3 * high);
+        double high = at(high_share);
+        double low = std::max(at(low_share), 1e-3 * high);
+        if (high - low < least_span * high) { // or the bands of an even picture show its noise
+            const double middle = at(0.5);
+            low = (1.0 - 0.5 * least_span) * middle;
+            high = (1.0 + 0.5 * least_span) * middle;
+        }
         if (high > low)
             bands.breaks = choose_breaks(low, high, 0.0);
     }
