@@ -155,8 +155,9 @@ private:
         const std::uint32_t object = object_of(setup_.scene, seen);
         if (shared_ != nullptr && shared_->is_for(object, seen.normal))
             return shared_->reflected;
+        // Through a lens a pixel sees far more of the surface than the pilot's place.
         const bool is_near_edge =
-            where == Where::first
+            where == Where::first && !setup_.camera.has_lens()
                 ? pilot_.is_near_edge[pixel_] != 0
                 : setup_.estimator.choose(seen, setup_.edge) == ReflectedBy::path_tracing;
         const Rgb e = reflected(
