@@ -43,7 +43,7 @@ struct ViewPicture {
     double wall_seconds = 0.0;
     double cpu_seconds = 0.0;        ///< of the whole process
     double filter_cpu_seconds = 0.0; ///< of these, for the filter
-    std::size_t bytes_a_pixel = 0; ///< held while rendering
+    std::size_t bytes_a_pixel = 0;   ///< held while rendering
     std::uint64_t rays = 0;
 
     /// What is shown: filtered where there is a filter, else raw.
