@@ -126,6 +126,17 @@ to_report(const ResultsDocument& document, const Scene& scene, const fs::path& f
                          (folder / "report.pdf").string());
 }
 
+/// Pictures of an earlier calculation in the same folder would show up in this one's report.
+void remove_old_pictures(const fs::path& folder) {
+    std::error_code ignored; // no folder, no pictures
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().extension() == ".png" || entry.path().extension() == ".exr")
+            old.push_back(entry.path());
+    for (const fs::path& file : old)
+        remove_file(file);
+}
+
 /// The project's views, within what is left of the time. @return a line about each
 std::vector<std::string> render_views_of(const Scene& scene,
                                          const std::vector<View>& views,
@@ -134,6 +145,7 @@ std::vector<std::string> render_views_of(const Scene& scene,
                                          const fs::path& folder,
                                          const RunOptions& options,
                                          std::stop_token stop) {
+    remove_old_pictures(folder);
     if (views.empty() || options.has_no_views)
         return {};
     make_folder(folder);
@@ -211,8 +223,8 @@ Action add_run(CLI::App& verb) {
     verb.footer(R"(
 Writes into DIR: results.json and results.xlsx; for each calculation surface a .csv and a .vtp
 (ParaView); room.vtp; maps/ with false-colour maps and the plan as .svg and .png; views/ with
-the project's views as .exr and .png (quick ones: `isolux render` does better); report.html
-and report.pdf. Prints a summary.
+the project's views as .exr and .png (quick ones: `isolux render` does better; those of an
+earlier run are removed); report.html and report.pdf. Prints a summary.
 
 Ctrl-C stops and writes what there is, marked as not converged; a second Ctrl-C ends at once.
 

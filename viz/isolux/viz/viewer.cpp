@@ -45,14 +45,14 @@ namespace {
 class ViewerStyle : public vtkInteractorStyleTerrain {
 public:
     static ViewerStyle* New();
-    vtkTypeMacro(ViewerStyle, vtkInteractorStyleTerrain);
+    vtkTypeMacro(ViewerStyle, vtkInteractorStyleTerrain)
 
     void OnChar() override {}
 };
 
 vtkStandardNewMacro(ViewerStyle)
 
-void show(const Props& props, bool is_visible) {
+    void show(const Props& props, bool is_visible) {
     for (vtkProp* p : props)
         p->SetVisibility(is_visible ? 1 : 0);
 }
@@ -85,6 +85,12 @@ public:
         add_text(message_, 0.012, 0.015, 15);
         title_ = document.project_name;
         add_marker();
+        vtkNew<vtkCallbackCommand> before;
+        before->SetClientData(this);
+        before->SetCallback([](vtkObject*, unsigned long, void* self, void*) {
+            static_cast<Viewer*>(self)->update_lines();
+        });
+        renderer_->AddObserver(vtkCommand::StartEvent, before);
         look(options.camera);
         show_surfaces();
         say("h: keys");
@@ -153,12 +159,32 @@ private:
 
     void say(const std::string& words) { message_->SetInput(words.c_str()); }
 
+    /// Whether the front of a surface with lines is seen; its colours are culled otherwise.
+    [[nodiscard]] bool is_front_seen(const GridLayout& grid) const {
+        vtkCamera* eye = renderer_->GetActiveCamera();
+        const double* at = eye->GetPosition();
+        const double* along = eye->GetDirectionOfProjection();
+        const Vector3 to_eye = eye->GetParallelProjection() != 0
+                                   ? Vector3{-along[0], -along[1], -along[2]}
+                                   : Point3{at[0], at[1], at[2]} - grid.frame.origin;
+        return dot(Vector3(grid.frame.z), to_eye) > 0.0;
+    }
+
+    /// Before every picture: isolux lines follow the colours they belong to.
+    void update_lines() {
+        for (std::size_t s = 0; s < surfaces_.size(); ++s)
+            if (surfaces_[s].lines != nullptr)
+                surfaces_[s].lines->SetVisibility(
+                    has_lines_ && surfaces_[s].colours->GetVisibility() != 0
+                            && is_front_seen(*results_.surfaces[s].surface.grid)
+                        ? 1
+                        : 0);
+    }
+
     void show_surfaces() {
         for (std::size_t s = 0; s < surfaces_.size(); ++s) {
             const bool is_on = !only_ || *only_ == s;
             surfaces_[s].colours->SetVisibility(is_on ? 1 : 0);
-            if (surfaces_[s].lines != nullptr)
-                surfaces_[s].lines->SetVisibility(is_on && has_lines_ ? 1 : 0);
         }
         const std::string which =
             only_ ? results_.surfaces[*only_].surface.name : "all calculation surfaces";
@@ -205,7 +231,7 @@ private:
             break;
         }
         renderer_->ResetCamera(bounds_.data());
-        eye->Zoom(camera == ViewerCamera::orbit ? 1.35 : 1.5);
+        eye->Zoom(camera == ViewerCamera::orbit ? 1.05 : 1.4);
         renderer_->ResetCameraClippingRange();
     }
 
@@ -261,7 +287,6 @@ private:
             show(webs_, has_webs_ = !has_webs_);
         else if (key == "i") {
             has_lines_ = !has_lines_;
-            show_surfaces();
         } else if (key == "n") {
             const std::size_t next = only_ ? *only_ + 1 : 0;
             only_ = next < surfaces_.size() ? std::optional(next) : std::nullopt;
