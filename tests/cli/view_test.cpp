@@ -39,9 +39,9 @@ TEST_F(ViewVerb, ProbesTheNearestPointWithoutAWindow) {
 }
 
 TEST_F(ViewVerb, ProbesOneSurfaceAlone) {
-    const Ran ran = view("--probe 1,1,1.1 --surface 'work plane'");
+    const Ran ran = view("--probe 1,1,1.1 --surface 'office work plane'");
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_THAT(ran.out, HasSubstr("work plane: point 1 at (1.000, 1.000, 0.750) m"));
+    EXPECT_THAT(ran.out, HasSubstr("office work plane: point 1 at (1.000, 1.000, 0.750) m"));
 }
 
 TEST_F(ViewVerb, SaysThatThereIsNoDisplay) {
@@ -67,11 +67,12 @@ TEST_F(ViewVerb, SaysWhatIsWrongWithItsOptions) {
     EXPECT_EQ(place.err,
               "error: --probe: '1,two,3' is no place (x,y,z in metres is expected). --probe "
               "1.5,2,0.75, for example\n");
-    const Ran surface = view("--surface 'work plan'");
+    const Ran surface = view("--surface 'office work plan'");
     EXPECT_EQ(surface.exit_code, 2);
-    EXPECT_THAT(surface.err,
-                HasSubstr("there is no calculation surface 'work plan' in these results. Did "
-                          "you mean 'work plane'?"));
+    EXPECT_THAT(
+        surface.err,
+        HasSubstr("there is no calculation surface 'office work plan' in these results. Did "
+                  "you mean 'office work plane'?"));
 }
 
 /// In a virtual X server, where this machine has one.
