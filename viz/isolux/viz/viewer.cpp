@@ -45,9 +45,10 @@ namespace {
 class ViewerStyle : public vtkInteractorStyleTerrain {
 public:
     static ViewerStyle* New();
+
     vtkTypeMacro(ViewerStyle, vtkInteractorStyleTerrain)
 
-    void OnChar() override {}
+        void OnChar() override {}
 };
 
 vtkStandardNewMacro(ViewerStyle)
