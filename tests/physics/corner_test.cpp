@@ -5,8 +5,8 @@
 #include "isolux/calc/bench_rooms.h"
 #include "isolux/calc/calculate.h"
 
-/// METHODS eq. (122): points a few centimetres from walls, where corners are left to walks of
-/// the points' own, against path tracing, which knows no corners.
+/// METHODS "Edges": points a few centimetres from walls, where the pilot and eq. (33) choose the
+/// estimator, against path tracing alone.
 namespace isolux {
 namespace {
 

@@ -13,7 +13,7 @@ namespace {
 
 // What the pilot draws at every point in every replicate: everything twice, so that the
 // variance inside a replicate is seen apart from that of the light paths.
-constexpr std::size_t paths = pilot_paths;
+constexpr std::size_t paths = 512;
 constexpr std::size_t draws = 8;      ///< twice
 constexpr std::size_t directions = 1; ///< twice
 constexpr std::size_t samples = 2;    ///< of path tracing
@@ -58,12 +58,10 @@ public:
         std::vector<RayPoint> senders;
         for (std::size_t p = first; p < last; ++p) {
             const std::size_t i = points_[p];
-            const bool at_edge = task_.classes[i] == PointClass::edge && task_.corner > 0.0;
-            locals.push_back({&task_.receivers[i], task_.clear[i], 0.0, at_edge});
+            locals.push_back({&task_.receivers[i], task_.clear[i], 0.0});
             senders.push_back({&task_.receivers[i],
                                task_.clear[i],
-                               {task_.seed, StreamPurpose::pilot, replicate, i},
-                               at_edge});
+                               {task_.seed, StreamPurpose::pilot, replicate, i}});
         }
         LocalScratch scratch;
         WalkFront front;
@@ -158,22 +156,32 @@ Pilot summarise(std::span<const PointVariance> points,
     const double floor =
         std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     Pilot pilot;
+    std::size_t at_edges = 0;
     for (const PointClass c : classes)
-        ++pilot.points[static_cast<std::size_t>(c)];
+        if (c == PointClass::edge)
+            ++at_edges;
+        else
+            ++pilot.points[static_cast<std::size_t>(c)];
+    const double away = static_cast<double>(points.size() - at_edges);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double half = target.tolerance * std::max(points[i].value, floor);
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))
             continue;
+        if (classes[i] == PointClass::edge) {
+            const double share = 1.0 / (allowed * static_cast<double>(at_edges));
+            pilot.samples_at_edges += share * points[i].model.samples;
+            pilot.direct_at_edges += share * points[i].model.direct;
+            continue;
+        }
         const auto c = static_cast<std::size_t>(classes[i]);
         add(pilot.of_class[c],
             points[i].model,
             1.0 / (allowed * static_cast<double>(pilot.points[c])));
-        add(pilot.all, points[i].model, 1.0 / (allowed * static_cast<double>(points.size())));
+        add(pilot.all, points[i].model, 1.0 / (allowed * away));
     }
-    for (VarianceModel& m : pilot.of_class)
-        m.paths = std::max(m.paths, 0.0);
-    pilot.all.paths = std::max(pilot.all.paths, 0.0);
+    for (VarianceModel* m : {&pilot.of_class[0], &pilot.of_class[1], &pilot.all})
+        m->paths = std::max(m->paths, 0.0);
     return pilot;
 }
 
@@ -204,7 +212,7 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         vertices =
             std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
         constexpr double m = paths, n2 = 2.0 * directions;
-        const EffectiveCounts counts{m, m * vertices, n2, n2, task.corner};
+        const EffectiveCounts counts{m, m * vertices, n2, n2};
         for_each_index(pilot_replicates, 1, [&](std::size_t r) {
             caches[r] = build(static_cast<std::uint32_t>(r), counts);
         });
