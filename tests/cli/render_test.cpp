@@ -146,6 +146,12 @@ TEST_F(RenderVerb, IsPartOfRunUnlessItIsNotWanted) {
     EXPECT_TRUE(std::filesystem::exists(out + "/views/plan.png"));
     EXPECT_NE(read_text(out + "/report.html").find("alt=\"door\""), std::string::npos);
     EXPECT_NE(ran.out.find("view door: 32 x 20 pixels"), std::string::npos) << ran.out;
+    // What an earlier run saw is not what this one calculated.
+    ran = run_program({"run", project_, "-o", out, "--tolerance", "20%", "--no-views"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(out + "/views/door.exr"));
+    EXPECT_FALSE(std::filesystem::exists(out + "/views/plan.png"));
+    EXPECT_EQ(read_text(out + "/report.html").find("alt=\"door\""), std::string::npos);
 }
 
 } // namespace

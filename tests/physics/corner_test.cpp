@@ -5,8 +5,8 @@
 #include "isolux/calc/bench_rooms.h"
 #include "isolux/calc/calculate.h"
 
-/// METHODS "Edges": points a few centimetres from walls, where the pilot and eq. (33) choose the
-/// estimator, against path tracing alone.
+/// METHODS "Edges": points a few centimetres from walls, where the pilot and eq. (33) choose
+/// the estimator, against path tracing alone.
 namespace isolux {
 namespace {
 
