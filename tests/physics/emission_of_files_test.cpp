@@ -94,8 +94,9 @@ void expect_drawn_as_tabulated(const IntensityDistribution& d, const std::string
         expected.pop_back();
         seen.pop_back();
     }
-    if (expected.size() > 1)
+    if (expected.size() > 1) {
         EXPECT_GT(test::chi_square_tail(seen, expected), test::chi_square_false_alarm) << name;
+    }
 }
 
 int expect_of_folder(const fs::path& folder) {
