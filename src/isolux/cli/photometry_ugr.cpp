@@ -62,9 +62,11 @@ std::string cell(double value) {
     return std::isfinite(value) ? fmt::format("{:6.1f}", value) : "     -";
 }
 
-std::string table_to_text(const UgrTable& table) {
+std::string table_to_text(const UgrTable& table, Lumen flux) {
     std::string text =
-        fmt::format("Uncorrected UGR, spacing {} x height\n", table.spacing_to_height);
+        fmt::format("UGR corrected for the luminaire's own {:.0f} lm, spacing {} x height\n",
+                    flux.value(),
+                    table.spacing_to_height);
     const auto percent_row = [&text](const char* name, double UgrReflectances::*rho) {
         text += fmt::format("{:<9}", name);
         for (int view = 0; view < 2; ++view) {
@@ -103,10 +105,16 @@ ExitCode print_tables(const Options& o) {
                              "no UGR table (the opening shows no luminous area towards the "
                              "observer, so that no luminance follows)",
                              "A point, or a flat opening that faces sideways?");
-        text += (text.empty() ? "" : "\n") + table_to_text(*table);
+        text += (text.empty() ? "" : "\n")
+                + table_to_text(*table, parsed.value.distribution.flux());
         tables.push_back(table_to_json(*table));
     }
-    print(o.as_json ? Json{{"file", o.file}, {"tables", tables}}.dump(2) + "\n" : text);
+    print(o.as_json ? Json{{"file", o.file},
+                           {"flux_lm", parsed.value.distribution.flux().value()},
+                           {"tables", tables}}
+                              .dump(2)
+                          + "\n"
+                    : text);
     return ExitCode::success;
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "isolux/photometry/ugr_table.h"
+#include "isolux/photometry/position_index.h"
 
 namespace isolux {
 

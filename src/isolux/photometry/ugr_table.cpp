@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "isolux/photometry/position_index.h"
 #include "isolux/photometry/quantities.h"
 
 namespace isolux {
@@ -25,15 +26,15 @@ struct View {
 
 /// L^2 omega / p^2 = I^2 / (A r^2 p^2) of one luminaire; `at` relative to the eye.
 double glare_of(const View& view, const Vector3& at) {
+    const auto p = tabulated_position_index(at.z / at.y, std::abs(at.x) / at.y);
+    if (!p)
+        return 0.0;
     const UnitVector3 w = view.to_luminaire(-at);
     const double intensity = view.luminaire.distribution.evaluate(w).value();
     if (intensity == 0.0)
         return 0.0;
     const double area = projected_luminous_area(view.luminaire, w).value();
-    const double from_sight_line = std::atan2(std::hypot(at.x, at.z), at.y);
-    const double from_vertical = std::atan2(std::abs(at.x), at.z);
-    const double p = guth_position_index(radians(from_sight_line), radians(from_vertical));
-    return intensity * intensity / (area * length_squared(at) * p * p);
+    return intensity * intensity / (area * length_squared(at) * *p * *p);
 }
 
 double sum_of_glare(const View& view, const UgrRoom& room, double spacing) {
@@ -150,13 +151,6 @@ double parallel_view_factor(double x, double y, double h) noexcept {
 }
 
 } // namespace
-
-double guth_position_index(Angle from_sight_line, Angle from_vertical) noexcept {
-    const double sigma = from_sight_line.in_degrees();
-    const double tau = from_vertical.in_degrees();
-    return std::exp((35.2 - 0.31889 * tau - 1.22 * std::exp(-2 * tau / 9)) * 1e-3 * sigma
-                    + (21 + 0.26667 * tau - 0.002963 * tau * tau) * 1e-5 * sigma * sigma);
-}
 
 Lux indirect_wall_illuminance(double x,
                               double y,

@@ -66,11 +66,6 @@ struct UgrTable {
 [[nodiscard]] std::optional<UgrTable> make_ugr_table(const LuminairePhotometry& luminaire,
                                                      double spacing_to_height = 0.25);
 
-/// Guth's position index of a source, METHODS, "UGR table".
-/// @param from_sight_line  angle between line of sight and source
-/// @param from_vertical    angle of the plane holding both from the vertical
-[[nodiscard]] double guth_position_index(Angle from_sight_line, Angle from_vertical) noexcept;
-
 /// Mean indirect illuminance on the walls of a box whose floor and ceiling are `x` by `y` and
 /// `height` apart, from the flux that first meets ceiling, walls and floor.
 [[nodiscard]] Lux indirect_wall_illuminance(double x,

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "isolux/photometry/position_index.h"
 #include "isolux/photometry/quantities.h"
 #include "isolux/photometry/ugr_table.h"
 
@@ -49,6 +50,30 @@ TEST(GuthIndex, IsOneOnTheLineOfSightAndGrowsAwayFromIt) {
     EXPECT_NEAR(guth_position_index(degrees(56.02724), degrees(57.38076)), 5.931357, 1e-5);
 }
 
+TEST(TabulatedIndex, IsThePrintedTableWithinAndNothingBeyond) {
+    EXPECT_DOUBLE_EQ(tabulated_position_index(0, 0).value(), 1.0);
+    EXPECT_DOUBLE_EQ(tabulated_position_index(0.5, 0.5).value(), 2.91);
+    EXPECT_NEAR(tabulated_position_index(1.9, 3.0).value(), 16.0, 1e-12);
+    EXPECT_NEAR(
+        tabulated_position_index(0.55, 0.55).value(), (2.91 + 3.10 + 3.40 + 3.60) / 4, 1e-9);
+    EXPECT_FALSE(tabulated_position_index(1.75, 0.05)); // blank in print
+    EXPECT_FALSE(tabulated_position_index(2.0, 1.0));
+    EXPECT_FALSE(tabulated_position_index(1.0, 3.1));
+    EXPECT_FALSE(tabulated_position_index(std::nan(""), 1.0));
+    // a slip of a finger among 600 numbers would stand out against the formula, which was
+    // fitted to them: at most 11 % apart where print is not blank
+    for (int h = 0; h <= 17; ++h)
+        for (int w = 0; w <= 30; ++w) {
+            const double height = 0.1 * h, sideways = 0.1 * w;
+            const double formula =
+                guth_position_index(radians(std::atan(std::hypot(height, sideways))),
+                                    radians(std::atan2(sideways, height)));
+            EXPECT_NEAR(
+                tabulated_position_index(height, sideways).value() / formula, 1.0, 0.112)
+                << height << " " << sideways;
+        }
+}
+
 /// Light that starts with the same illuminance everywhere stays uniform where all surfaces have
 /// one reflectance: the indirect part is direct * rho / (1 - rho), whatever the shape. View
 /// factors that do not close, or an elimination gone wrong, break it.
@@ -90,16 +115,15 @@ TEST(UgrTable, IsTheFormulaInASmallRoom) {
     const auto l = panel(side, side, axial);
     const auto table = make_ugr_table(l, 1.0);
     ASSERT_TRUE(table.has_value());
+    // the two at y = 1 are too high for the table of position indices; those at y = 3 lie at
+    // height 2/3, sideways 1/3, between its nodes 3.25 3.90 and 3.30 3.90
     double glare = 0;
-    for (const double x : {-1.0, 1.0})
-        for (const double y : {1.0, 3.0}) {
-            const double r2 = x * x + y * y + 4, cosine = 2 / std::sqrt(r2);
-            const double sigma = std::acos(y / std::sqrt(r2)) * 180 / pi;
-            const double tau = std::atan(std::abs(x) / 2) * 180 / pi;
-            const double p = guth_position_index(degrees(sigma), degrees(tau));
-            const double luminance = axial / (side * side);
-            glare += luminance * luminance * side * side * cosine / r2 / (p * p);
-        }
+    for (int side_of_observer = 0; side_of_observer < 2; ++side_of_observer) {
+        const double r2 = 1 + 9 + 4, cosine = 2 / std::sqrt(r2);
+        const double p = (2 * (3.25 / 3 + 3.90 * 2 / 3) + (3.30 / 3 + 3.90 * 2 / 3)) / 3;
+        const double luminance = axial / (side * side);
+        glare += luminance * luminance * side * side * cosine / r2 / (p * p);
+    }
     // a Lambertian point over a rectangle: closed-form corner configurations give the floor's
     // share
     const auto corner = [](double a, double b) { // flux on a x b below its corner, cd * sr
@@ -165,6 +189,76 @@ TEST(UgrTable, TurnsWithTheLengthOfTheLuminaire) {
             EXPECT_NEAR(y->endwise[r][k], x->endwise[r][k], 1e-6);
             EXPECT_GT(y->crosswise[r][k], y->endwise[r][k]);
         }
+}
+
+using PrintedTable = std::array<std::array<double, 10>, 19>; ///< crosswise, then endwise
+
+/// The example of CIE 190:2010, S = H.
+constexpr PrintedTable example_of_cie_190{{
+    {8.9, 10.5, 9.3, 10.8, 11.1, 10.7, 12.2, 11.0, 12.5, 12.9},
+    {10.5, 11.9, 10.8, 12.2, 12.6, 12.4, 13.8, 12.8, 14.2, 14.5},
+    {11.0, 12.3, 11.4, 12.6, 13.0, 13.1, 14.5, 13.5, 14.8, 15.2},
+    {11.5, 12.7, 11.9, 13.1, 13.5, 13.6, 14.8, 14.0, 15.2, 15.6},
+    {11.7, 12.9, 12.2, 13.3, 13.7, 13.8, 14.9, 14.2, 15.3, 15.7},
+    {12.0, 13.2, 12.5, 13.5, 14.0, 13.8, 15.0, 14.3, 15.3, 15.8},
+    {9.6, 11.0, 10.0, 11.3, 11.7, 11.0, 12.4, 11.4, 12.7, 13.1},
+    {11.4, 12.5, 11.8, 12.9, 13.3, 13.0, 14.1, 13.4, 14.5, 14.9},
+    {12.0, 13.0, 12.4, 13.4, 13.9, 13.9, 14.9, 14.3, 15.3, 15.7},
+    {12.7, 13.5, 13.1, 14.0, 14.4, 14.5, 15.4, 15.0, 15.8, 16.3},
+    {13.0, 13.8, 13.5, 14.2, 14.7, 14.7, 15.5, 15.2, 16.0, 16.4},
+    {13.4, 14.1, 13.8, 14.6, 15.0, 14.8, 15.6, 15.3, 16.0, 16.5},
+    {12.4, 13.2, 12.8, 13.6, 14.1, 14.0, 14.8, 14.5, 15.3, 15.8},
+    {13.2, 13.8, 13.7, 14.3, 14.8, 14.8, 15.4, 15.3, 15.9, 16.4},
+    {13.6, 14.2, 14.1, 14.7, 15.2, 15.0, 15.6, 15.5, 16.1, 16.6},
+    {14.1, 14.7, 14.6, 15.1, 15.7, 15.2, 15.7, 15.7, 16.2, 16.8},
+    {12.4, 13.1, 12.9, 13.6, 14.1, 14.0, 14.8, 14.5, 15.2, 15.7},
+    {13.2, 13.8, 13.8, 14.3, 14.8, 14.8, 15.4, 15.3, 15.9, 16.4},
+    {13.7, 14.3, 14.3, 14.8, 15.3, 15.1, 15.6, 15.6, 16.1, 16.7},
+}};
+
+/// The same luminaire in Relux, S = 0.25 H; 0 stands for "below 10". From the reference data of
+/// github.com/123VincentB/eulumdat-ugr, sample 11.
+constexpr PrintedTable example_in_relux{{
+    {0, 11.1, 0, 11.4, 11.8, 11.1, 12.6, 11.4, 13.0, 13.3},
+    {10.8, 12.2, 11.1, 12.5, 12.9, 12.6, 14.0, 12.9, 14.3, 14.7},
+    {11.2, 12.6, 11.6, 12.9, 13.3, 13.2, 14.6, 13.6, 14.9, 15.3},
+    {11.7, 12.9, 12.1, 13.3, 13.7, 13.7, 14.9, 14.1, 15.3, 15.7},
+    {11.9, 13.1, 12.3, 13.5, 13.9, 13.8, 15.0, 14.2, 15.4, 15.8},
+    {12.2, 13.3, 12.6, 13.7, 14.1, 13.8, 15.0, 14.3, 15.4, 15.8},
+    {10.3, 11.7, 10.7, 12.0, 12.4, 11.5, 12.9, 11.9, 13.2, 13.6},
+    {11.7, 12.8, 12.1, 13.2, 13.6, 13.2, 14.4, 13.6, 14.7, 15.2},
+    {12.3, 13.3, 12.7, 13.7, 14.2, 14.0, 15.0, 14.5, 15.5, 15.9},
+    {12.9, 13.8, 13.3, 14.2, 14.7, 14.6, 15.5, 15.1, 16.0, 16.4},
+    {13.2, 14.0, 13.7, 14.5, 14.9, 14.8, 15.6, 15.3, 16.1, 16.5},
+    {13.5, 14.3, 14.0, 14.8, 15.3, 14.9, 15.7, 15.4, 16.1, 16.6},
+    {12.6, 13.5, 13.1, 13.9, 14.4, 14.2, 15.0, 14.6, 15.5, 15.9},
+    {13.3, 14.0, 13.8, 14.5, 15.0, 14.8, 15.5, 15.3, 16.0, 16.5},
+    {13.8, 14.4, 14.3, 14.9, 15.4, 15.1, 15.7, 15.6, 16.2, 16.7},
+    {14.3, 14.8, 14.8, 15.3, 15.8, 15.3, 15.8, 15.8, 16.3, 16.8},
+    {12.7, 13.4, 13.1, 13.9, 14.4, 14.2, 15.0, 14.7, 15.4, 15.9},
+    {13.4, 14.0, 13.9, 14.6, 15.0, 14.9, 15.5, 15.4, 16.0, 16.5},
+    {13.9, 14.4, 14.4, 14.9, 15.4, 15.2, 15.7, 15.7, 16.2, 16.7},
+}};
+
+void expect_printed(const UgrTable& table, const PrintedTable& printed) {
+    for (std::size_t room = 0; room < printed.size(); ++room)
+        for (std::size_t k = 0; k < 5; ++k)
+            for (const auto& [ours, theirs] :
+                 {std::pair{table.crosswise[room][k], printed[room][k]},
+                  std::pair{table.endwise[room][k], printed[room][k + 5]}}) {
+                // half a digit of theirs, and their zones of 10 degrees and rounded factors
+                if (theirs > 0.0)
+                    EXPECT_NEAR(ours, theirs, 0.05 + 0.1) << "room " << room << ", set " << k;
+                else
+                    EXPECT_LT(ours, 10.05);
+            }
+}
+
+TEST(UgrTable, IsThePrintedOneOfTheExampleLuminaire) {
+    ISOLUX_NEEDS_CORPUS();
+    const auto luminaire = corpus::read("valid", "cie190-table7.ldt").value;
+    expect_printed(make_ugr_table(luminaire, 1.0).value(), example_of_cie_190);
+    expect_printed(make_ugr_table(luminaire, 0.25).value(), example_in_relux);
 }
 
 TEST(UgrTable, NeedsALuminousArea) {
