@@ -75,16 +75,29 @@ std::vector<Tm33Value> read_values(const XmlElement& table, const Findings& find
     return values;
 }
 
-/// The table of luminous intensity; null where the emitter has only other data.
+bool holds_intensities(const XmlElement& e) {
+    return e.find("IntData") != nullptr || e.find("IntensityData") != nullptr;
+}
+
+/// Type C, however its name is spaced.
+bool is_type_c(std::string name) {
+    std::erase_if(name, [](char c) { return c == ' ' || c == '_'; });
+    return name.empty() || name == "C" || name == "TypeC" || name == "CIEC" || name == "IESC";
+}
+
+/// The table of luminous intensity; null where the emitter has only other data. The editions
+/// keep it in three places.
 const XmlElement* find_table(const XmlElement& emitter, const Findings& findings) {
     if (const XmlElement* const t = emitter.find_path({"LuminousData", "LuminousIntensity"}))
         return t;
-    const XmlElement* const table = emitter.find("IntensityDistribution");
+    const XmlElement* table = emitter.find("IntensityDistribution");
+    if (const XmlElement* const data = emitter.find("LuminousData");
+        table == nullptr && data != nullptr && holds_intensities(*data))
+        table = data;
     if (table == nullptr)
         return nullptr;
     const std::string type = table->text_of({"PhotometryType"});
-    if (!type.empty() && type != "C" && type != "TypeC" && type != "CIE_C" && type != "IES_C"
-        && type != "Type C")
+    if (!is_type_c(type))
         findings.fail(table->find("PhotometryType")->line,
                       "photometry type " + quoted(type) + " (only type C is read from TM-33)");
     const std::string metric = table->text_of({"Metric"});

@@ -105,6 +105,14 @@ void check_flux(const Tm33Emitter& e, const IntensityDistribution& d, Findings& 
                           + " lm, the emitter states " + to_text(std::round(n.value))
                           + " lm (they should agree; the table is used as it is)");
     }
+    // no luminaire loses that much, but a table per 1000 lm looks like it
+    constexpr double least_output_ratio = 0.3;
+    if (!stated && !e.is_per_kilolumen && e.rated_lumens
+        && flux < least_output_ratio * e.rated_lumens->value)
+        findings.warn(e.rated_lumens->line,
+                      "the table gives " + to_text(std::round(flux)) + " lm of the rated "
+                          + to_text(std::round(e.rated_lumens->value))
+                          + " lm (read as candelas; are they per 1000 lm?)");
 }
 
 LuminousOpening horizontal_opening(double x, double y, double z, bool is_round) {

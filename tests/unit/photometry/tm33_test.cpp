@@ -63,6 +63,25 @@ std::string notices(const Parsed<LuminairePhotometry>& parsed) {
     return text;
 }
 
+TEST(Tm33, ReadsATableDirectlyWithinTheLuminousData) {
+    const auto with_type = [](const std::string& type) {
+        return file("<Emitter><RatedLumens>4000</RatedLumens><LuminousData>\n<PhotometryType>"
+                    + type
+                    + "</PhotometryType><Metric>Luminous</Metric>\n"
+                      "<IntensityData horz=\"0\" vert=\"0\">300</IntensityData>\n"
+                      "<IntensityData horz=\"0\" vert=\"90\">0</IntensityData>\n"
+                      "</LuminousData></Emitter>\n");
+    };
+    const auto parsed = parse_photometry(with_type("CIE _ C"), "a.xml");
+    EXPECT_NEAR(candela(parsed.value, 77, 45), 150.0, 1e-9);
+    // 300 cd on average 0.57 x 2 pi sr or less: no lamp of 4000 lm
+    EXPECT_THAT(notices(parsed), HasSubstr("a.xml:5: the table gives"));
+    EXPECT_THAT(notices(parsed),
+                HasSubstr("of the rated 4000 lm (read as candelas; are they per 1000 lm?)"));
+    EXPECT_THAT(refusal(with_type("CIE _ B")),
+                HasSubstr("photometry type 'CIE _ B' (only type C is read from TM-33)"));
+}
+
 TEST(Tm33, ReadsIntensitiesInAnyOrderAndMirrorsTheQuadrant) {
     const auto parsed = parse_photometry(file(emitter(int_data())), "a.xml");
     const LuminairePhotometry& l = parsed.value;
