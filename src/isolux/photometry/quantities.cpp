@@ -228,17 +228,39 @@ template <class Iterator> double first_crossing(Iterator begin, Iterator end, do
     return 0.0;
 }
 
+/// How far beyond the horizon the curve stays at `level`, followed from its first point towards
+/// the axis. 0 if it is below at once.
+template <class Iterator> double reach_beyond(Iterator begin, Iterator end, double level) {
+    const double horizon = std::abs(begin->angle);
+    if (begin->candela < level)
+        return 0.0;
+    for (auto at = begin + 1; at != end && at->angle * begin->angle >= 0.0; ++at)
+        if (at->candela < level) {
+            const auto& before = *(at - 1);
+            const double share = (before.candela - level) / (before.candela - at->candela);
+            return horizon - std::abs(before.angle + share * (at->angle - before.angle));
+        }
+    return horizon;
+}
+
 } // namespace
 
 std::optional<BeamExtent> find_beam(const IntensityDistribution& d, Angle plane, double share) {
-    const auto down = polar_curve(d, plane.in_radians(), false);
-    const auto up = polar_curve(d, plane.in_radians(), true);
-    const auto& curve = largest(up) > largest(down) ? up : down;
+    auto curve = polar_curve(d, plane.in_radians(), false);
+    auto beyond = polar_curve(d, plane.in_radians(), true);
+    if (largest(beyond) > largest(curve))
+        std::swap(curve, beyond);
     const double peak = largest(curve);
     if (!(peak > 0.0))
         return std::nullopt;
-    return BeamExtent{radians(first_crossing(curve.rbegin(), curve.rend(), share * peak)),
-                      radians(-first_crossing(curve.begin(), curve.end(), share * peak))};
+    const double level = share * peak;
+    double towards = first_crossing(curve.rbegin(), curve.rend(), level);
+    double opposite = -first_crossing(curve.begin(), curve.end(), level);
+    if (curve.back().candela >= level)
+        towards += reach_beyond(beyond.rbegin(), beyond.rend(), level);
+    if (curve.front().candela >= level)
+        opposite += reach_beyond(beyond.begin(), beyond.end(), level);
+    return BeamExtent{radians(towards), radians(opposite)};
 }
 
 } // namespace isolux

@@ -152,6 +152,22 @@ TEST(Quantities, MeasureEachSideOfAnAsymmetricBeam) {
     EXPECT_NEAR(beam->towards_opposite.in_degrees(), 15, 1e-9);
 }
 
+TEST(Quantities, FollowABeamAcrossTheHorizonButNotASecondOne) {
+    const auto wall = make_table([](double c, double g) { // horizontal beam towards C0
+        return c < 45 || c > 315 ? std::max(0.0, 1000 - 20 * std::abs(g - 90)) : 0.0;
+    });
+    const auto beam = find_beam(wall, degrees(0), 0.5);
+    EXPECT_NEAR(beam->towards_plane.in_degrees(), 115, 1e-9);
+    EXPECT_NEAR(beam->towards_opposite.in_degrees(), -65, 1e-9);
+    EXPECT_NEAR(find_beam(wall, degrees(180), 0.1)->full().in_degrees(), 90, 1e-9);
+    const auto bare = make_table([](double, double) { return 100.0; });
+    EXPECT_NEAR(find_beam(bare, degrees(30), 0.5)->full().in_degrees(), 360, 1e-9);
+    const auto pendant = make_table([](double, double g) { // a dark horizon between two beams
+        return 1000 * std::abs(std::cos(g * pi / 180));
+    });
+    EXPECT_LT(find_beam(pendant, degrees(0), 0.1)->full().in_degrees(), 180);
+}
+
 TEST(Quantities, TakeTheOuterEdgesOfABatwing) {
     const auto wings = make_table([](double, double g) { // peaks at 40, a hole below
         return std::max(0.0, 1000 - 50 * std::abs(g - 40));
