@@ -13,8 +13,9 @@ namespace isolux {
 
 namespace {
 
-/// METHODS "Edges": nearer to the second surface than this times sqrt(A / M) a point is traced.
-constexpr double edge_factor = 0.4;
+/// METHODS eq. (33): nearer to the second surface than this times sqrt(A / M) a point leaves
+/// corners to walks of its own.
+constexpr double edge_factor = 0.8;
 
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
@@ -22,18 +23,11 @@ constexpr double widest_edge = 0.5;
 /// A receiver this near to a foreign surface is flagged, m.
 constexpr double too_near = 1e-3;
 
-/// A point that this many paths would leave to the edge rule is no matter for the pilot.
-constexpr double paths_at_edges = 4096.0;
-
 /// Paths from which the estimators for study learn what the scene is like; no replicate walks
 /// them.
 constexpr std::size_t study_paths = 512;
 constexpr std::size_t study_samples = 8; ///< pairs of subpaths of a bidirectional unit
 constexpr std::uint32_t study_replicate = 0xfffffeU;
-
-double edge_distance(const Scene& scene, double paths) {
-    return std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / paths));
-}
 
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
 double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
@@ -89,7 +83,15 @@ void Engine::adapt(std::span<const std::size_t> active) {
 void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
     const double directions = static_cast<double>(effort_.directions);
-    counts_ = {paths, paths * pilot_.vertices_per_path, directions, directions};
+    counts_ = {
+        paths, paths * pilot_.vertices_per_path, directions, directions, corner_of(paths)};
+}
+
+/// Radius of METHODS eq. (33) for a number of paths, m; pure LE-MIS knows none.
+double Engine::corner_of(double paths) const noexcept {
+    if (settings_.estimator != Estimator::automatic)
+        return 0.0;
+    return std::min(widest_edge, edge_factor * std::sqrt(scene_->total_area / paths));
 }
 
 /// Distances to the surfaces around; receivers that lie on one are moved off it.
@@ -117,18 +119,17 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         fix_counts();
         return 1;
     }
-    const auto edge = static_cast<float>(edge_distance(*scene_, paths_at_edges));
+    const double corner = corner_of(static_cast<double>(pilot_paths));
     std::vector<PointClass> classes(receivers_.size());
     for (std::size_t i = 0; i < classes.size(); ++i)
-        classes[i] = second_[i] < edge          ? PointClass::edge
-                     : second_[i] < widest_edge ? PointClass::near
-                                                : PointClass::open;
+        classes[i] = class_of(i, corner);
     pilot_ = run_pilot({scene_,
                         &emission_,
                         &images_,
                         receivers_,
                         clear_,
                         classes,
+                        corner,
                         settings_.seed,
                         !settings_.direct_only,
                         [&](std::size_t i, std::uint32_t first, std::span<double> values) {
@@ -138,20 +139,23 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
                         }},
                        target);
     costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path);
-    const auto away = static_cast<std::size_t>(std::count_if(
-        classes.begin(), classes.end(), [](PointClass c) { return c != PointClass::edge; }));
-    plan_ = make_work_plan(settings_, pilot_, costs_, away);
+    plan_ = make_work_plan(settings_, pilot_, costs_, receivers_.size());
     effort_ = plan_.effort;
     fix_counts();
     choose_estimators();
     return plan_.units;
 }
 
+PointClass Engine::class_of(std::size_t receiver, double corner) const noexcept {
+    const auto second = static_cast<double>(second_[receiver]);
+    return second < corner        ? PointClass::edge
+           : second < widest_edge ? PointClass::near
+                                  : PointClass::open;
+}
+
 /// Which points are traced: a matter of geometry and of the pilot only, so it biases nothing.
 void Engine::choose_estimators() {
     estimators_.assign(receivers_.size(), PointEstimator::mis);
-    const auto edge =
-        static_cast<float>(edge_distance(*scene_, static_cast<double>(effort_.paths)));
     for (std::size_t i = 0; i < receivers_.size(); ++i)
         switch (settings_.estimator) {
         case Estimator::local_estimation:
@@ -168,10 +172,8 @@ void Engine::choose_estimators() {
         case Estimator::local_estimation_mis:
             break;
         case Estimator::automatic:
-            estimators_[i] = second_[i] < edge ? PointEstimator::path_tracing
-                             : second_[i] < static_cast<float>(widest_edge)
-                                 ? plan_.of_class[static_cast<std::size_t>(PointClass::near)]
-                                 : plan_.of_class[static_cast<std::size_t>(PointClass::open)];
+            estimators_[i] =
+                plan_.of_class[static_cast<std::size_t>(class_of(i, counts_.corner))];
             break;
         }
     needs_paths_ = !settings_.direct_only
@@ -218,7 +220,10 @@ void Engine::estimate_local(const VertexCache& cache,
     const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
     locals.clear();
     for (const std::size_t i : points)
-        locals.push_back({&receivers_[i], clear_[i], subset.uniform(i, unit)});
+        locals.push_back({&receivers_[i],
+                          clear_[i],
+                          subset.uniform(i, unit),
+                          class_of(i, counts_.corner) == PointClass::edge});
     sums.assign(points.size(), {});
     const auto draws =
         gather_local_estimates(*scene_, cache, locals, weighting, effort_.draws, scratch, sums);
@@ -252,8 +257,10 @@ void Engine::send_rays(const VertexCache& cache,
     thread_local std::vector<double> by_material;
     senders.clear();
     for (const std::size_t i : points)
-        senders.push_back(
-            {&receivers_[i], clear_[i], {settings_.seed, StreamPurpose::gather, replicate, i}});
+        senders.push_back({&receivers_[i],
+                           clear_[i],
+                           {settings_.seed, StreamPurpose::gather, replicate, i},
+                           class_of(i, counts_.corner) == PointClass::edge});
     sums.assign(points.size(), {});
     front.start(*scene_, emission_, images_, senders);
     if (estimator == PointEstimator::path_tracing) {
@@ -396,7 +403,7 @@ std::string Engine::describe() const {
         const std::string pilot = describe_advantage(plan_);
         return fmt::format(
             "local estimation with one gather bounce ({} points{}), path tracing "
-            "next to edges ({} points); {}, gather rays: {}",
+            "({} points); {}, gather rays: {}",
             count(PointEstimator::mis),
             pilot.empty() ? "" : "; " + pilot,
             count(PointEstimator::path_tracing),

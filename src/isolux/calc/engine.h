@@ -90,6 +90,8 @@ public:
 
 private:
     void find_surroundings();
+    [[nodiscard]] double corner_of(double paths) const noexcept;
+    [[nodiscard]] PointClass class_of(std::size_t receiver, double corner) const noexcept;
     void choose_estimators();
     void fix_counts();
     [[nodiscard]] bool takes_paths(PointEstimator e) const noexcept;

@@ -13,7 +13,7 @@ namespace {
 
 // What the pilot draws at every point in every replicate: everything twice, so that the
 // variance inside a replicate is seen apart from that of the light paths.
-constexpr std::size_t paths = 512;
+constexpr std::size_t paths = pilot_paths;
 constexpr std::size_t draws = 8;      ///< twice
 constexpr std::size_t directions = 1; ///< twice
 constexpr std::size_t samples = 2;    ///< of path tracing
@@ -58,10 +58,12 @@ public:
         std::vector<RayPoint> senders;
         for (std::size_t p = first; p < last; ++p) {
             const std::size_t i = points_[p];
-            locals.push_back({&task_.receivers[i], task_.clear[i], 0.0});
+            const bool at_edge = task_.classes[i] == PointClass::edge && task_.corner > 0.0;
+            locals.push_back({&task_.receivers[i], task_.clear[i], 0.0, at_edge});
             senders.push_back({&task_.receivers[i],
                                task_.clear[i],
-                               {task_.seed, StreamPurpose::pilot, replicate, i}});
+                               {task_.seed, StreamPurpose::pilot, replicate, i},
+                               at_edge});
         }
         LocalScratch scratch;
         WalkFront front;
@@ -115,10 +117,11 @@ struct PointVariance {
 };
 
 PointVariance judge(std::span<const Look> looks) {
-    std::array<double, pilot_replicates> indirect{}, traced{}, direct{};
+    const std::size_t count = looks.size();
+    std::vector<double> indirect(count), traced(count), direct(count);
     double inside_local = 0.0, inside_gathered = 0.0, value = 0.0;
-    constexpr double n = pilot_replicates;
-    for (std::size_t r = 0; r < pilot_replicates; ++r) {
+    const auto n = static_cast<double>(count);
+    for (std::size_t r = 0; r < count; ++r) {
         const Look& l = looks[r];
         indirect[r] = 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
         traced[r] = l.traced;
@@ -156,32 +159,22 @@ Pilot summarise(std::span<const PointVariance> points,
     const double floor =
         std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     Pilot pilot;
-    std::size_t at_edges = 0;
     for (const PointClass c : classes)
-        if (c == PointClass::edge)
-            ++at_edges;
-        else
-            ++pilot.points[static_cast<std::size_t>(c)];
-    const double away = static_cast<double>(points.size() - at_edges);
+        ++pilot.points[static_cast<std::size_t>(c)];
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double half = target.tolerance * std::max(points[i].value, floor);
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))
             continue;
-        if (classes[i] == PointClass::edge) {
-            const double share = 1.0 / (allowed * static_cast<double>(at_edges));
-            pilot.samples_at_edges += share * points[i].model.samples;
-            pilot.direct_at_edges += share * points[i].model.direct;
-            continue;
-        }
         const auto c = static_cast<std::size_t>(classes[i]);
         add(pilot.of_class[c],
             points[i].model,
             1.0 / (allowed * static_cast<double>(pilot.points[c])));
-        add(pilot.all, points[i].model, 1.0 / (allowed * away));
+        add(pilot.all, points[i].model, 1.0 / (allowed * static_cast<double>(points.size())));
     }
-    for (VarianceModel* m : {&pilot.of_class[0], &pilot.of_class[1], &pilot.all})
-        m->paths = std::max(m->paths, 0.0);
+    for (VarianceModel& m : pilot.of_class)
+        m.paths = std::max(m.paths, 0.0);
+    pilot.all.paths = std::max(pilot.all.paths, 0.0);
     return pilot;
 }
 
@@ -189,17 +182,21 @@ Pilot summarise(std::span<const PointVariance> points,
 
 Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     const std::vector<std::size_t> points = choose_points(task.receivers.size());
-    std::vector<Look> looks(points.size() * pilot_replicates); // [replicate][point]
+    const std::size_t replicates = std::clamp(fewest_pilot_replicates * pilot_points
+                                                  / std::max<std::size_t>(1, points.size()),
+                                              fewest_pilot_replicates,
+                                              most_pilot_replicates);
+    std::vector<Look> looks(points.size() * replicates); // [replicate][point]
     double vertices = 1.0;
     for_each_index(points.size(), 4, [&](std::size_t p) {
-        std::array<double, pilot_replicates> values{};
+        std::vector<double> values(replicates);
         task.direct(points[p], first_replicate, values);
-        for (std::size_t r = 0; r < pilot_replicates; ++r)
+        for (std::size_t r = 0; r < replicates; ++r)
             looks[r * points.size() + p].direct = values[r];
     });
     if (task.reflected && task.emission->total_flux() > 0.0) {
         // The counts of METHODS eq. (11) need the mean number of vertices: first replicate.
-        std::vector<VertexCache> caches(pilot_replicates);
+        std::vector<VertexCache> caches(replicates);
         const auto build = [&](std::uint32_t r, const EffectiveCounts& counts) {
             return build_vertex_cache(*task.scene,
                                       *task.emission,
@@ -208,17 +205,17 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
                                       paths,
                                       counts);
         };
-        const VertexCache first = build(pilot_replicates, EffectiveCounts{});
+        const VertexCache first = build(most_pilot_replicates, EffectiveCounts{});
         vertices =
             std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
         constexpr double m = paths, n2 = 2.0 * directions;
-        const EffectiveCounts counts{m, m * vertices, n2, n2};
-        for_each_index(pilot_replicates, 1, [&](std::size_t r) {
+        const EffectiveCounts counts{m, m * vertices, n2, n2, task.corner};
+        for_each_index(replicates, 1, [&](std::size_t r) {
             caches[r] = build(static_cast<std::uint32_t>(r), counts);
         });
         const Looker looker(task, points);
         const std::size_t tiles = (points.size() + tile - 1) / tile;
-        for_each_index(tiles * pilot_replicates, 1, [&](std::size_t k) {
+        for_each_index(tiles * replicates, 1, [&](std::size_t k) {
             const std::size_t r = k / tiles;
             const std::size_t begin = k % tiles * tile;
             looker.look(caches[r],
@@ -231,9 +228,9 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     }
     std::vector<PointVariance> variances;
     std::vector<PointClass> classes;
-    std::array<Look, pilot_replicates> own;
+    std::vector<Look> own(replicates);
     for (std::size_t p = 0; p < points.size(); ++p) {
-        for (std::size_t r = 0; r < pilot_replicates; ++r)
+        for (std::size_t r = 0; r < replicates; ++r)
             own[r] = looks[r * points.size() + p];
         variances.push_back(judge(own));
         classes.push_back(task.classes[points[p]]);

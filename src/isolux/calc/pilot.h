@@ -14,11 +14,11 @@ namespace isolux {
 /// Points of a kind: what is efficient for one of them is so for the others.
 enum class PointClass : std::uint8_t {
     open, ///< no second surface within half a metre
-    near, ///< one nearer than that, but not so near that the edge rule decides
-    edge  ///< nearer than any number of paths that is considered would allow
+    near, ///< one nearer than that
+    edge  ///< one so near that corners are left out of the light paths, METHODS eq. (33)
 };
 
-inline constexpr std::size_t point_classes = 2; ///< that the pilot judges: open, near
+inline constexpr std::size_t point_classes = 3;
 
 /// What the pilot may look at; everything outlives it.
 struct PilotScene {
@@ -28,9 +28,10 @@ struct PilotScene {
     std::span<const Receiver> receivers;
     std::span<const Point3> clear; ///< where their rays start
     std::span<const PointClass> classes;
+    double corner = 0.0; ///< EffectiveCounts::corner of the points at edges
     std::uint64_t seed = 1;
     bool reflected = true; ///< false: direct light alone
-    /// Direct light of a receiver for pilot_replicates replicates from `first` on, lx.
+    /// Direct light of a receiver for the replicates from `first` on, lx.
     std::function<void(std::size_t receiver, std::uint32_t first, std::span<double>)> direct;
 };
 
@@ -43,8 +44,11 @@ struct PilotTarget {
     double replicates = 16.0;
 };
 
-inline constexpr std::size_t pilot_replicates = 4;
+/// Of each point: few points are looked at more often.
+inline constexpr std::size_t fewest_pilot_replicates = 4;
+inline constexpr std::size_t most_pilot_replicates = 16;
 inline constexpr std::size_t pilot_points = 64;
+inline constexpr std::size_t pilot_paths = 512; ///< per replicate
 
 /// What a few samples of up to 64 points say about the variance, METHODS eq. (61). They come
 /// from replicates of their own and are thrown away: what follows from them steers the work and
@@ -53,9 +57,7 @@ struct Pilot {
     double vertices_per_path = 1.0;
     std::array<VarianceModel, point_classes> of_class;
     std::array<std::size_t, point_classes> points{}; ///< looked at
-    VarianceModel all;                               ///< mean over the points of both classes
-    double samples_at_edges = 0.0; ///< VarianceModel::samples where the edge rule decides
-    double direct_at_edges = 0.0;
+    VarianceModel all;                               ///< mean over all points
 };
 
 [[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);

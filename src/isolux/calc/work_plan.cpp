@@ -41,12 +41,7 @@ WorkPlan make_work_plan(const Settings& settings,
                         const UnitCosts& costs,
                         std::size_t points) {
     WorkPlan plan;
-    const bool all_at_edges =
-        pilot.samples_at_edges > 0.0 && pilot.points[0] + pilot.points[1] == 0;
-    if (all_at_edges) {
-        plan_tracing(plan,
-                     {.direct = pilot.direct_at_edges, .samples = pilot.samples_at_edges});
-    } else if (settings.estimator == Estimator::path_tracing) {
+    if (settings.estimator == Estimator::path_tracing) {
         plan_tracing(plan, pilot.all);
     } else if (settings.fixed_units) {
         plan.effort = balance_effort(pilot.all, costs, points, paths_for(points));
@@ -55,8 +50,8 @@ WorkPlan make_work_plan(const Settings& settings,
         plan.effort = choice.effort;
         plan.units = choice.units;
     }
-    double samples = pilot.samples_at_edges;
-    double direct = pilot.direct_at_edges;
+    double samples = 0.0;
+    double direct = 0.0;
     for (std::size_t c = 0; c < point_classes; ++c) {
         const VarianceModel& model = pilot.of_class[c];
         const double shared = model.of(plan.effort) * costs.of(plan.effort, points);
@@ -76,15 +71,15 @@ WorkPlan make_work_plan(const Settings& settings,
     }
     if (settings.fixed_units)
         plan.effort.samples = 32;
-    else if (settings.estimator != Estimator::path_tracing && !all_at_edges)
+    else if (settings.estimator != Estimator::path_tracing)
         plan.effort.samples =
             choose_samples({.direct = direct, .samples = samples}, plan.units);
     return plan;
 }
 
 std::string describe_advantage(const WorkPlan& plan) {
-    constexpr std::array<const char*, point_classes> names{"open points",
-                                                           "points near surfaces"};
+    constexpr std::array<const char*, point_classes> names{
+        "open points", "points near surfaces", "points next to edges"};
     std::string text;
     for (std::size_t c = 0; c < point_classes; ++c)
         if (plan.advantage[c] > 0.0)

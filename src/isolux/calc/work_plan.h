@@ -11,14 +11,14 @@ namespace isolux {
 struct WorkPlan {
     Effort effort;
     std::size_t units = 1; ///< before the first look
-    std::array<PointEstimator, point_classes> of_class{PointEstimator::mis,
-                                                       PointEstimator::mis};
+    std::array<PointEstimator, point_classes> of_class{
+        PointEstimator::mis, PointEstimator::mis, PointEstimator::mis};
     /// Efficiency of LE-MIS over that of path tracing for the light that is not direct; 0 where
     /// no point of the class was looked at.
     std::array<double, point_classes> advantage{};
 };
 
-/// @param points  that are not traced because of the edge rule
+/// @param points  of the task
 [[nodiscard]] WorkPlan make_work_plan(const Settings& settings,
                                       const Pilot& pilot,
                                       const UnitCosts& costs,

@@ -49,6 +49,33 @@ void weigh_points(const VertexCache& cache,
     }
 }
 
+/// METHODS eq. (122): a point next to an edge takes nothing from a near vertex whose own light
+/// came from nearby. The sums of the columns they stand in are made again, as the kernel does.
+void leave_corners(const VertexCache& cache,
+                   std::span<const LocalPoint> points,
+                   double corner,
+                   LocalScratch& s) {
+    const std::size_t blocks = cache.blocks.size();
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (!points[p].leaves_corners)
+            continue;
+        float* u = s.u.data() + p * blocks * VertexBlock::size;
+        float* sums = s.column_sums.data() + p * blocks * columns;
+        for (const CloseVertex& v : cache.close) {
+            const std::size_t block = v.place / VertexBlock::size;
+            float& sum = sums[block * columns + v.place % columns];
+            // Where the sum is 0 the kernel may have left the block out.
+            if (sum == 0.0F || length_squared(v.position - points[p].at) >= corner * corner)
+                continue;
+            u[v.place] = 0.0F;
+            sum = 0.0F;
+            const float* column = u + block * VertexBlock::size + v.place % columns;
+            for (std::size_t row = 0; row < cache.blocks[block].rows; ++row)
+                sum += column[row * columns];
+        }
+    }
+}
+
 /// The running sum of one point over all vertices, by blocks, columns and rows.
 class RunningSum {
 public:
@@ -186,6 +213,7 @@ std::span<const LocalDraw> gather_local_estimates(const Scene& scene,
     if (cache.empty() || points.empty())
         return {};
     weigh_points(cache, points, weighting, scratch);
+    leave_corners(cache, points, cache.corner, scratch);
     draw_vertices(cache, points, draws, scratch);
 
     // Look at them, sixteen at a time.

@@ -22,6 +22,9 @@ struct LocalPoint {
     const Receiver* receiver = nullptr;
     Point3 at;           ///< clear_point of it
     double offset = 0.0; ///< in [0, 1): the one random offset of the systematic draw
+    /// Whether paths by two near surfaces are left to walks of the point's own (METHODS eq.
+    /// (122)).
+    bool leaves_corners = false;
 };
 
 /// What came of one draw: the vertex and the light it adds to one point, lx.

@@ -114,6 +114,15 @@ void find_bounds(VertexBlock& block, std::span<const std::size_t> places) noexce
     }
 }
 
+/// METHODS eq. (122): whether a chain came to a vertex straight from nearby.
+bool is_close(const VertexCache& cache, std::size_t vertex, double corner) noexcept {
+    const PathVertex& v = cache.vertices[vertex];
+    if (v.back == 0 || v.density == after_mirror)
+        return false;
+    return length_squared(v.position - cache.vertices[vertex - v.back].position)
+           < corner * corner;
+}
+
 /// Fills the blocks, each column by column, so that the running sum follows the sorted order.
 void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& counts) {
     const std::vector<std::uint32_t> sorted = sort_by_cell(cache.vertices, bounds);
@@ -130,7 +139,11 @@ void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& count
         for (std::size_t i = 0; i < count; ++i) {
             places[i] = VertexBlock::columns * (i % rows) + i / rows;
             cache.vertex_at[first + places[i]] = sorted[first + i];
-            put(block, places[i], cache.vertices[sorted[first + i]], cache.centre, counts);
+            const std::size_t vertex = sorted[first + i];
+            put(block, places[i], cache.vertices[vertex], cache.centre, counts);
+            if (is_close(cache, vertex, counts.corner))
+                cache.close.push_back({cache.vertices[vertex].position,
+                                       static_cast<std::uint32_t>(first + places[i])});
         }
         find_bounds(block, std::span(places).first(count));
     }
@@ -147,6 +160,7 @@ VertexCache build_vertex_cache(const Scene& scene,
                                const Roulette& roulette) {
     VertexCache cache;
     cache.paths = count;
+    cache.corner = counts.corner;
     cache.centre = midpoint(scene.bounds.lower, scene.bounds.upper);
     if (emission.total_flux() <= 0.0 || count == 0)
         return cache;

@@ -15,6 +15,15 @@ struct EffectiveCounts {
         1.0; ///< n1 for longer paths (k >= 3): M times the pilot's mean chain length
     double gather_first = 1.0; ///< n2 for k = 2
     double gather_later = 1.0; ///< n2 for k >= 3
+    /// r of METHODS eq. (122), m: what a point next to an edge leaves to walks of its own. 0:
+    /// nothing
+    double corner = 0.0;
+};
+
+/// A vertex whose chain came straight from less than EffectiveCounts::corner away.
+struct CloseVertex {
+    Point3 position;
+    std::uint32_t place = 0; ///< in the blocks, counted [block][row][column]
 };
 
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
@@ -28,6 +37,8 @@ struct VertexCache {
     std::vector<VertexBlock> blocks;
     /// Which vertex stands at a place of the blocks, counted [block][row][column].
     std::vector<std::uint32_t> vertex_at;
+    double corner = 0.0; ///< of the counts
+    std::vector<CloseVertex> close;
     FluxTally flux;
 
     [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }

@@ -124,18 +124,21 @@ void WalkFront::trace(std::span<const Ray> rays, const LightLedger& ledger) {
 void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
     Walk& walk = walks_[ray.walk];
     const SurfaceEvent event = surface_event(*scene_, ray.branch, hit);
+    const double offered = walk.passed_on;
     if (const auto y = meet_surface(*scene_, ray.branch, hit, event)) {
         if (!walk.gathers || y->reflections > 0) {
-            if (walk.passed_on == 0.0)
-                collecting_.push_back(ray.walk);
-            collect_at(walk, *y);
+            if (!walk.into_corner || is_in_corner(walk.start, *y))
+                collect_at(walk, *y);
         } else if (connects_) {
             gather_at(walk, *y);
         }
     }
+    if (offered == 0.0 && walk.passed_on > 0.0)
+        collecting_.push_back(ray.walk);
     const Onward onward = go_on(*scene_, ray.branch, hit, event, walk.numbers);
     for (std::size_t b = 0; b < onward.count; ++b)
-        following_.push_back({onward.branches[b], ray.walk});
+        if (!walk.into_corner || onward.branches[b].reflections == 0)
+            following_.push_back({onward.branches[b], ray.walk});
 }
 
 /// A luminaire sample and one cached vertex light y; the light path could have done the same.
@@ -152,11 +155,15 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
                       walk.point,
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});
-    connect_vertex(walk, y);
+    const RayPoint& point = points_[walk.point];
+    const bool is_corner = point.leaves_corners && is_in_corner(point.at, y);
+    connect_vertex(walk, y, is_corner ? counts_.corner : 0.0);
+    if (is_corner)
+        offer(walk, y, true);
 }
 
-/// METHODS "LE-MIS", T2 for k >= 3.
-void WalkFront::connect_vertex(Walk& walk, const Meeting& y) {
+/// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself.
+void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
     const double u = walk.numbers.next();
     if (cache_->empty())
         return;
@@ -166,7 +173,7 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y) {
     const PathVertex& v = cache_->vertices[drawn];
     const Vector3 d = y.at - v.position;
     const double d2 = length_squared(d);
-    if (!(d2 > 0.0))
+    if (!(d2 > 0.0) || d2 < nearest * nearest)
         return;
     const double inverse = 1.0 / std::sqrt(d2);
     const double cos_v = inverse * dot(v.normal, d);
@@ -204,12 +211,23 @@ void WalkFront::collect_at(Walk& walk, const Meeting& y) {
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});
     collect_images(walk, y);
+    offer(walk, y, false);
+}
+
+/// The walk may go on from y.
+void WalkFront::offer(Walk& walk, const Meeting& y, bool into_corner) {
     const double share = y.throughput * luminance_sum(y.diffuse);
     walk.passed_on += share;
     if (walk.numbers.next() * walk.passed_on < share) {
         walk.next = y;
         walk.goes_on = true;
+        walk.next_into_corner = into_corner;
     }
+}
+
+/// METHODS eq. (122): whether a surface was met straight from nearby.
+bool WalkFront::is_in_corner(const Point3& from, const Meeting& y) const noexcept {
+    return y.reflections == 0 && length_squared(y.at - from) < counts_.corner * counts_.corner;
 }
 
 /// Light of the luminaires over one randomly chosen chain of imaged mirrors.
@@ -251,6 +269,7 @@ void WalkFront::send_on(std::uint32_t number) {
     const Meeting from = walk.next;
     const double share = from.throughput * luminance_sum(from.diffuse) / walk.passed_on;
     const bool goes_on = walk.goes_on;
+    walk.into_corner = walk.next_into_corner;
     walk.passed_on = 0.0;
     walk.goes_on = false;
     if (!goes_on)
@@ -262,6 +281,7 @@ void WalkFront::send_on(std::uint32_t number) {
     walk.carried = (1.0 / survival) * (walk.carried * passed);
     walk.throughput = (1.0 / survival) * (walk.throughput * passed);
     walk.gathers = false;
+    walk.start = from.at;
     walk.trail = reflected_by(from.material, walk.trail);
     const double u = walk.numbers.next();
     const Vector3 local = sample_cosine_hemisphere(u, walk.numbers.next());

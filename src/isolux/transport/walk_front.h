@@ -15,6 +15,8 @@ struct RayPoint {
     const Receiver* receiver = nullptr;
     Point3 at; ///< clear_point of it
     PointRandomness random;
+    /// Whether light by two near surfaces is traced, METHODS eq. (122), beside gathering.
+    bool leaves_corners = false;
 };
 
 /// Walks from neighbouring points into the room, all of them side by side so that their shadow
@@ -52,8 +54,11 @@ private:
         Rgb throughput;               ///< lx at the point for one cd/m2 along the current rays
         Rgb carried = Rgb::grey(1.0); ///< the same over that of the first ray: steers roulette
         double passed_on = 0.0;       ///< sum over the surfaces met of what each would pass on
+        Point3 start;                 ///< where the current flight began
         Meeting next;                 ///< the one of them where the walk goes on
         bool goes_on = false;
+        bool next_into_corner = false;
+        bool into_corner = false;           ///< now on the way from one near surface to another
         std::uint32_t trail = Trails::none; ///< surfaces the walk was sent on from
     };
 
@@ -66,9 +71,11 @@ private:
     void trace(std::span<const Ray> rays, const LightLedger& ledger);
     void arrive(const Ray& ray, const SurfaceHit& hit);
     void gather_at(Walk& walk, const Meeting& y);
-    void connect_vertex(Walk& walk, const Meeting& y);
+    void connect_vertex(Walk& walk, const Meeting& y, double nearest);
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
+    void offer(Walk& walk, const Meeting& y, bool into_corner);
+    [[nodiscard]] bool is_in_corner(const Point3& from, const Meeting& y) const noexcept;
     void send_on(std::uint32_t walk);
     [[nodiscard]] std::uint32_t reflected_by(MaterialId material, std::uint32_t before);
 
