@@ -49,6 +49,29 @@ TEST_F(ReportVerb, WritesOneFileWhereItIsTold) {
               ".pdf?\n");
 }
 
+TEST_F(ReportVerb, QuotesTheSelfTestLeftInTheFolder) {
+    calculate();
+    EXPECT_NE(
+        read_text(results_ + "/report.html").find("not part of this folder; `isolux selftest"),
+        std::string::npos);
+    const Ran tested =
+        run_program({"selftest", "--only", "Lambertian disc", "--seed", "3", "-o", results_});
+    EXPECT_EQ(tested.exit_code, 0) << tested.err;
+    EXPECT_EQ(run_program({"report", results_}).exit_code, 0);
+    EXPECT_NE(read_text(results_ + "/report.html")
+                  .find("4 of 4 comparisons with known answers passed on the user's machine "
+                        "(isolux " ISOLUX_VERSION ", seed 3)"),
+              std::string::npos);
+    static_cast<void>(folder_.write("out/selftest.json", "[]"));
+    const Ran wrong = run_program({"report", results_});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_EQ(
+        wrong.err,
+        "error: " + results_
+            + "/selftest.json: not the outcome of a self-test. Write it again with `isolux "
+              "selftest -o`, or remove it.\n");
+}
+
 TEST_F(ReportVerb, SaysWhatIsNoResultsFolder) {
     const Ran ran = run_program({"report", folder_.path()});
     EXPECT_EQ(ran.exit_code, 2);

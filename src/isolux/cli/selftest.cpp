@@ -1,6 +1,7 @@
 #include "isolux/calc/selftest.h"
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "isolux/cli/terminal.h"
 #include "isolux/cli/text_table.h"
 #include "isolux/cli/verbs.h"
+#include "isolux/io/safe_file.h"
 
 namespace isolux {
 
@@ -26,6 +28,7 @@ struct SelftestOptions {
     std::string seed = "1";
     std::string threads;
     std::string only;
+    std::string folder;
 };
 
 /// The cases whose names contain `only`, upper and lower case alike.
@@ -145,6 +148,8 @@ ExitCode run_selftest(const SelftestOptions& options) {
     const std::uint64_t seed = parse_count("--seed", options.seed, 0, UINT64_MAX);
     const ThreadLimit limit(
         options.threads.empty() ? 0 : parse_count("--threads", options.threads, 1, 1024));
+    if (!options.folder.empty())
+        make_folder(options.folder); // a folder that cannot be made is better known now
     const auto start = std::chrono::steady_clock::now();
     std::vector<SelftestRow> rows;
     {
@@ -155,8 +160,10 @@ ExitCode run_selftest(const SelftestOptions& options) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const bool passed = std::all_of(
         rows.begin(), rows.end(), [](const SelftestRow& row) { return row.passed; });
-    print(options.is_json ? to_json(rows, seed, passed)
-                          : to_table(rows) + summary_of(rows, seconds));
+    const std::string json = to_json(rows, seed, passed);
+    if (!options.folder.empty())
+        write_file_safely(std::filesystem::path(options.folder) / "selftest.json", json);
+    print(options.is_json ? json : to_table(rows) + summary_of(rows, seconds));
     return passed ? ExitCode::success : ExitCode::failure;
 }
 
@@ -173,6 +180,8 @@ Examples:
   isolux selftest --json          the same for programs
   isolux selftest --seed 2        with other random numbers
   isolux selftest --only sobolev  one kind of case
+  isolux selftest -o results/open-office && isolux report results/open-office
+                                  the outcome in the report's page on the method
 
 Exit status: 0 every row passed; 1 some row failed; 2 wrong options.)");
     const auto options = std::make_shared<SelftestOptions>();
@@ -183,6 +192,10 @@ Exit status: 0 every row passed; 1 some row failed; 2 wrong options.)");
         ->type_name("N");
     verb.add_option("--only", options->only, "Only cases whose name contains TEXT")
         ->type_name("TEXT");
+    verb.add_option("-o,--output",
+                    options->folder,
+                    "Folder for selftest.json; a report of that folder quotes it")
+        ->type_name("DIR");
     verb.add_flag("--quiet", options->is_quiet, "No progress line");
     return [options] { return run_selftest(*options); };
 }

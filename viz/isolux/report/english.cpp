@@ -195,9 +195,10 @@ Texts make_english() {
     t.flux_balance = "Flux balance";
     t.flux_balance_value = "{} lm emitted, {} lm absorbed, {} lm escaped";
     t.self_test = "Self-test";
-    t.self_test_absent =
-        "its result is not part of this folder; `isolux selftest` compares the "
-        "program with known answers";
+    t.self_test_absent = "not part of this folder; `isolux selftest -o` with this folder and "
+                         "`isolux report` add it";
+    t.self_test_value = "{} of {} comparisons with known answers passed on the user's machine "
+                        "(isolux {}, seed {})";
     t.duration = "Duration";
     t.duration_value = "{} s, {} s of processor time";
     t.budget_title = "Uncertainty budget";

@@ -30,7 +30,10 @@ std::string fill(const std::string& pattern, const std::vector<std::string>& val
     return fmt::vformat(pattern, store);
 }
 
-Report make_report(const ResultsDocument& d, const std::vector<View>& views, const Texts& t) {
+Report make_report(const ResultsDocument& d,
+                   const std::vector<View>& views,
+                   const Texts& t,
+                   const std::optional<SelftestRecord>& self_test) {
     Report r;
     r.language = t.language;
     r.kind = t.kind;
@@ -64,7 +67,7 @@ Report make_report(const ResultsDocument& d, const std::vector<View>& views, con
         r.sections.push_back(make_scene_section(d, t));
     if (!views.empty())
         r.sections.push_back(make_view_section(views, t));
-    r.sections.push_back(make_method_section(d, t));
+    r.sections.push_back(make_method_section(d, self_test, t));
     return r;
 }
 

@@ -8,7 +8,19 @@ namespace isolux::report {
 
 namespace {
 
-FactList make_facts(const ResultsDocument& d, const Texts& t) {
+std::string self_test_line(const std::optional<SelftestRecord>& test, const Texts& t) {
+    if (!test)
+        return t.self_test_absent;
+    return fill(t.self_test_value,
+                {std::to_string(test->passed),
+                 std::to_string(test->rows),
+                 test->version,
+                 std::to_string(test->seed)});
+}
+
+FactList make_facts(const ResultsDocument& d,
+                    const std::optional<SelftestRecord>& self_test,
+                    const Texts& t) {
     const Results& r = d.results;
     FactList list{t.method_caption, {}};
     list.rows = {
@@ -27,7 +39,7 @@ FactList make_facts(const ResultsDocument& d, const Texts& t) {
                {estimate_cell(r.flux_balance.emitted, r.confidence).text,
                 estimate_cell(r.flux_balance.absorbed, r.confidence).text,
                 estimate_cell(r.flux_balance.escaped, r.confidence).text})}},
-        {{t.self_test}, {t.self_test_absent}},
+        {{t.self_test}, {self_test_line(self_test, t)}},
         {{t.duration},
          {fill(t.duration_value, {to_digits(r.wall_seconds), to_digits(r.cpu_seconds)})}}};
     return list;
@@ -70,11 +82,13 @@ Table make_hashes(const ResultsDocument& d, const Texts& t) {
 
 } // namespace
 
-Section make_method_section(const ResultsDocument& d, const Texts& t) {
+Section make_method_section(const ResultsDocument& d,
+                            const std::optional<SelftestRecord>& self_test,
+                            const Texts& t) {
     const Assumptions assumptions;
     Section section{"method", t.method, {}};
     section.blocks.emplace_back(Paragraph{t.method_intro});
-    section.blocks.emplace_back(make_facts(d, t));
+    section.blocks.emplace_back(make_facts(d, self_test, t));
     section.blocks.emplace_back(Subheading{t.budget_title});
     section.blocks.emplace_back(Paragraph{fill(t.budget_intro,
                                                {to_percent(assumptions.photometry),

@@ -40,7 +40,8 @@ std::vector<View> find_views(const fs::path& folder) {
 }
 
 void write_reports(const fs::path& folder, const ResultsDocument& document) {
-    const Report report = make_report(document, find_views(folder), english());
+    const Report report =
+        make_report(document, find_views(folder), english(), find_selftest(folder));
     write_file_safely(folder / "report.html", to_html(report));
     write_file_safely(folder / "report.pdf", to_pdf_report(report));
 }
@@ -53,7 +54,8 @@ void write_report(const fs::path& file,
         throw InputError(file.string(),
                          "no report format goes by this name",
                          "A name that ends in .html or .pdf?");
-    const Report report = make_report(document, find_views(folder), english());
+    const Report report =
+        make_report(document, find_views(folder), english(), find_selftest(folder));
     write_file_safely(file, ending == ".html" ? to_html(report) : to_pdf_report(report));
 }
 

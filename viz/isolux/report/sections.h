@@ -19,7 +19,9 @@ make_surface_section(const ResultsDocument& document, std::size_t index, const T
 [[nodiscard]] Section make_energy_section(const ResultsDocument& document, const Texts& t);
 [[nodiscard]] Section make_scene_section(const ResultsDocument& document, const Texts& t);
 [[nodiscard]] Section make_view_section(const std::vector<View>& views, const Texts& t);
-[[nodiscard]] Section make_method_section(const ResultsDocument& document, const Texts& t);
+[[nodiscard]] Section make_method_section(const ResultsDocument& document,
+                                          const std::optional<SelftestRecord>& self_test,
+                                          const Texts& t);
 
 /// The verdicts as a table: place, requirement, limit, value, interval, margin, word.
 [[nodiscard]] Table

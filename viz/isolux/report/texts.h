@@ -185,6 +185,7 @@ struct Texts {
     std::string flux_balance;
     std::string flux_balance_value; ///< emitted, absorbed, escaped
     std::string self_test;
+    std::string self_test_value; ///< rows passed, rows in all, version, seed
     std::string self_test_absent;
     std::string duration;
     std::string duration_value; ///< wall, cpu
