@@ -74,6 +74,7 @@ struct Section {
     std::string id; ///< letters, digits, hyphens
     std::string title;
     std::vector<Block> blocks;
+    bool starts_page = true; ///< in print from HTML; false: goes on below the section before it
 };
 
 struct Report {

@@ -104,7 +104,8 @@ Section make_glare_section(const ResultsDocument& d, const Texts& t) {
 }
 
 Section make_energy_section(const ResultsDocument& d, const Texts& t) {
-    Section section{"energy", t.energy, {}};
+    // below the short section on glare, where there is one
+    Section section{"energy", t.energy, {}, d.results.observers.empty()};
     Table table{t.energy_caption,
                 {{t.room},
                  {t.area, true},

@@ -49,6 +49,7 @@ footer { margin-top: 3rem; border-top: 1px solid #999; font-size: 0.85rem; color
   body { max-width: none; padding: 0; font-size: 9.5pt; }
   nav { display: none; }
   h2 { break-before: page; margin-top: 0; }
+  h2.joins { break-before: auto; margin-top: 2.4rem; }
   h2, h3, caption { break-after: avoid; }
   figure, .sheet, tr, p.mark { break-inside: avoid; }
   thead { display: table-header-group; }
@@ -228,9 +229,10 @@ std::string to_html(const Report& r) {
         html.write("<li><a href=\"#{}\">{}</a></li>\n", s.id, escape(s.title));
     out += "</ol>\n</nav>\n<main>\n";
     for (const Section& s : r.sections) {
-        html.write("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n",
+        html.write("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\"{2}>{1}</h2>\n",
                    s.id,
-                   escape(s.title));
+                   escape(s.title),
+                   s.starts_page ? "" : " class=\"joins\"");
         for (const Block& block : s.blocks)
             std::visit(html, block);
         out += "</section>\n";

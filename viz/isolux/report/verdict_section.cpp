@@ -81,15 +81,27 @@ std::vector<Cell> row_of(const Verdict& v, const Texts& t) {
     return row;
 }
 
-/// What stands behind the requirements: words, clause, source.
-Table make_sources(const std::vector<Verdict>& verdicts, const Texts& t) {
+/// The place of `text` in `list`, counted from 1; it is added where it is new.
+std::size_t number_in(std::vector<std::string>& list, std::string text) {
+    const auto at = std::find(list.begin(), list.end(), text);
+    const auto number = static_cast<std::size_t>(at - list.begin()) + 1;
+    if (at == list.end())
+        list.push_back(std::move(text));
+    return number;
+}
+
+/// What stands behind the requirements: words, clause, number of the source below the table.
+void add_sources(Section& section, const std::vector<Verdict>& verdicts, const Texts& t) {
     Table table{t.source_caption, {{t.requirement}, {t.task}, {t.clause}, {t.source}}, {}};
+    std::vector<std::string> sources;
     for (const Verdict& v : verdicts) {
         const Requirement& r = v.requirement;
+        const std::size_t number =
+            number_in(sources, r.is_recalled ? r.source + " " + t.recalled : r.source);
         std::vector<Cell> row{{fmt::format("{} {} {}", r.symbol, limit_of(r), r.row)},
                               {r.name + (r.task.empty() ? "" : "; " + r.task)},
                               {r.standard + (r.clause.empty() ? "" : ", " + r.clause)},
-                              {r.is_recalled ? r.source + " " + t.recalled : r.source}};
+                              {fmt::format("({})", number)}};
         const auto is_same = [&](const std::vector<Cell>& known) {
             return std::equal(row.begin(),
                               row.end(),
@@ -99,7 +111,10 @@ Table make_sources(const std::vector<Verdict>& verdicts, const Texts& t) {
         if (std::none_of(table.rows.begin(), table.rows.end(), is_same))
             table.rows.push_back(std::move(row));
     }
-    return table;
+    section.blocks.emplace_back(std::move(table));
+    for (std::size_t k = 0; k < sources.size(); ++k)
+        section.blocks.emplace_back(
+            Paragraph{fmt::format("({}) {}", k + 1, sources[k]), Mark::none, true});
 }
 
 } // namespace
@@ -137,7 +152,7 @@ Section make_verdict_section(const ResultsDocument& d, const Texts& t) {
                 Paragraph{fill(t.verdict_note, {v.subject, v.requirement.symbol, v.reason}),
                           Mark::none,
                           true});
-    section.blocks.emplace_back(make_sources(verdicts, t));
+    add_sources(section, verdicts, t);
     return section;
 }
 
