@@ -63,29 +63,6 @@ footer { margin-top: 3rem; border-top: 1px solid #999; font-size: 0.85rem; color
 @media (max-width: 30rem) { body { padding: 0.8rem; } h1 { font-size: 1.5rem; } }
 )";
 
-std::string escape(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
-
 const char* class_of(Mark mark) {
     switch (mark) {
     case Mark::pass:
@@ -109,20 +86,20 @@ public:
             classes += fmt::format("{}mark {}", classes.empty() ? "" : " ", class_of(p.mark));
         write(classes.empty() ? "<p>{1}</p>\n" : "<p class=\"{0}\">{1}</p>\n",
               classes,
-              escape(p.text));
+              escape_xml(p.text));
     }
 
-    void operator()(const Subheading& h) { write("<h3>{}</h3>\n", escape(h.text)); }
+    void operator()(const Subheading& h) { write("<h3>{}</h3>\n", escape_xml(h.text)); }
 
     void operator()(const Table& t) {
         write("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"{0}\">\n"
               "<table{1}>\n<caption>{0}</caption>\n<thead>\n<tr>",
-              escape(t.caption),
+              escape_xml(t.caption),
               t.is_small ? " class=\"long\"" : "");
         for (const Column& c : t.columns)
             write("<th scope=\"col\"{}>{}</th>",
                   c.is_number ? " class=\"n\"" : "",
-                  escape(c.title));
+                  escape_xml(c.title));
         out_ += "</tr>\n</thead>\n<tbody>\n";
         for (const std::vector<Cell>& row : t.rows) {
             out_ += "<tr>";
@@ -136,7 +113,7 @@ public:
     void operator()(const FactList& list) {
         out_ += "<div class=\"scroll\">\n<table class=\"list\">\n";
         if (!list.caption.empty())
-            write("<caption>{}</caption>\n", escape(list.caption));
+            write("<caption>{}</caption>\n", escape_xml(list.caption));
         out_ += "<tbody>\n";
         for (const std::vector<Cell>& row : list.rows) {
             out_ += "<tr>";
@@ -151,7 +128,7 @@ public:
         out_ += "<figure>\n";
         write("<img alt=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" "
               "src=\"data:image/svg+xml;base64,{}\"/>\n",
-              escape(f.alternative),
+              escape_xml(f.alternative),
               pixels_per_mm * f.drawing.width,
               pixels_per_mm * f.drawing.height,
               to_base64(to_svg(f.drawing)));
@@ -162,7 +139,7 @@ public:
         const PixelSize size = png_size(p.png).value_or(PixelSize{4, 3});
         out_ += "<figure>\n";
         write("<img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\"/>\n",
-              escape(p.alternative),
+              escape_xml(p.alternative),
               size.width,
               size.height,
               to_base64(p.png));
@@ -187,17 +164,19 @@ private:
         const std::string_view name = tag.substr(0, 2);
         write("<{}{}>", tag, is_number ? " class=\"n\"" : "");
         if (cell.mark != Mark::none)
-            write("<span class=\"mark {}\">{}</span>", class_of(cell.mark), escape(cell.text));
+            write("<span class=\"mark {}\">{}</span>",
+                  class_of(cell.mark),
+                  escape_xml(cell.text));
         else if (cell.exact)
-            write("<data value=\"{}\">{}</data>", *cell.exact, escape(cell.text));
+            write("<data value=\"{}\">{}</data>", *cell.exact, escape_xml(cell.text));
         else
-            out_ += escape(cell.text);
+            out_ += escape_xml(cell.text);
         write("</{}>", name);
     }
 
     void write_figcaption(const std::string& caption) {
         if (!caption.empty())
-            write("<figcaption>{}</figcaption>\n", escape(caption));
+            write("<figcaption>{}</figcaption>\n", escape_xml(caption));
         out_ += "</figure>\n";
     }
 
@@ -217,27 +196,28 @@ std::string to_html(const Report& r) {
                "<title>{1}</title>\n<style>{2}</style>\n</head>\n<body>\n<header>\n"
                "<p class=\"kind\">{3}</p>\n<h1>{1}</h1>\n",
                r.language,
-               escape(r.title),
+               escape_xml(r.title),
                style,
-               escape(r.kind));
+               escape_xml(r.kind));
     if (!r.lead.empty())
-        html.write("<p class=\"lead\">{}</p>\n", escape(r.lead));
+        html.write("<p class=\"lead\">{}</p>\n", escape_xml(r.lead));
     html(r.cover);
     html.write("</header>\n<nav aria-label=\"{0}\">\n<h3>{0}</h3>\n<ol>\n",
-               escape(r.contents_title));
+               escape_xml(r.contents_title));
     for (const Section& s : r.sections)
-        html.write("<li><a href=\"#{}\">{}</a></li>\n", s.id, escape(s.title));
+        html.write("<li><a href=\"#{}\">{}</a></li>\n", s.id, escape_xml(s.title));
     out += "</ol>\n</nav>\n<main>\n";
     for (const Section& s : r.sections) {
         html.write("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\"{2}>{1}</h2>\n",
                    s.id,
-                   escape(s.title),
+                   escape_xml(s.title),
                    s.starts_page ? "" : " class=\"joins\"");
         for (const Block& block : s.blocks)
             std::visit(html, block);
         out += "</section>\n";
     }
-    html.write("</main>\n<footer>\n<p>{}</p>\n</footer>\n</body>\n</html>\n", escape(r.footer));
+    html.write("</main>\n<footer>\n<p>{}</p>\n</footer>\n</body>\n</html>\n",
+               escape_xml(r.footer));
     return out;
 }
 

@@ -138,6 +138,29 @@ std::string printable(std::string_view text) {
     return out;
 }
 
+std::string escape_xml(std::string_view text) {
+    std::string out;
+    for (const char c : printable(text)) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
+}
+
 void write_drawing(const std::filesystem::path& stem, const Drawing& drawing) {
     std::filesystem::path svg = stem;
     svg += ".svg";

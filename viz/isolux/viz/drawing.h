@@ -106,6 +106,9 @@ inline constexpr double cap_height = 0.73;
 /// painters can take. They call it themselves.
 [[nodiscard]] std::string printable(std::string_view text);
 
+/// The same with the characters that mean something in XML and HTML as entities.
+[[nodiscard]] std::string escape_xml(std::string_view text);
+
 /// SVG 1.1 with real text; equal drawings give equal bytes.
 [[nodiscard]] std::string to_svg(const Drawing& drawing);
 

@@ -27,29 +27,6 @@ std::string colour(const Colour& c) {
     return fmt::format("#{:02x}{:02x}{:02x}", c.r, c.g, c.b);
 }
 
-std::string escape(std::string_view text) {
-    std::string out;
-    for (const char c : printable(text)) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
-    }
-    return out;
-}
-
 std::string path_data(const std::vector<Polyline>& lines, Ends ends) {
     std::string d;
     for (const Polyline& line : lines) {
@@ -146,7 +123,7 @@ private:
                            number(-t.turn),
                            number(t.at.x),
                            number(t.at.y));
-        fmt::format_to(at(), ">{}</text>\n", escape(t.text));
+        fmt::format_to(at(), ">{}</text>\n", escape_xml(t.text));
     }
 
     std::string& out_;
@@ -171,7 +148,7 @@ std::string to_svg(const Drawing& drawing) {
         "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
         number(drawing.width),
         number(drawing.height),
-        escape(drawing.title),
+        escape_xml(drawing.title),
         has_picture ? " xmlns:xlink=\"http://www.w3.org/1999/xlink\"" : "");
     SvgWriter writer(out);
     for (const auto& item : drawing.items)
