@@ -221,6 +221,10 @@ TEST(PhotometryUgrTable, HasBothSpacingsAndNineteenRooms) {
     const std::string text = photometry({"ugr-table", shipped("lambertian-panel.ldt")}).out;
     EXPECT_THAT(text, HasSubstr("12H  8H"));
     EXPECT_THAT(text, HasSubstr("seen endwise"));
+    EXPECT_THAT(
+        text,
+        HasSubstr("UGR corrected for the luminaire's own 3600 lm, spacing 0.25 x height\n"));
+    EXPECT_NEAR(j["luminaire_flux_lm"].get<double>(), 3600.0, 1.0);
 }
 
 TEST(PhotometryUgrTable, SaysWhyThereIsNone) {

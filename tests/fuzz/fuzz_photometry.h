@@ -51,7 +51,7 @@ inline void check_light(const LuminairePhotometry& l) {
 
 /// Numbers within what a luminaire can be come back as they were written. Writing and reading
 /// again takes many times what reading takes, most where a table lies on its side and is
-/// resampled: every 16th size must do, every 64th of the latter, up to some hundred candelas.
+/// resampled: every 16th size must do, every 64th of the latter, tables of at most 400 values.
 inline void check_round_trip(const LuminairePhotometry& l, std::size_t file_size) {
     if (file_size % (l.distribution.pole() == TablePole::lateral ? 64 : 16) != 0)
         return;

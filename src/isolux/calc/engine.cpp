@@ -172,8 +172,9 @@ void Engine::choose_estimators() {
         case Estimator::local_estimation_mis:
             break;
         case Estimator::automatic:
-            estimators_[i] =
-                plan_.of_class[static_cast<std::size_t>(class_of(i, counts_.corner))];
+            // the class the pilot judged it in; the corner itself shrinks with the paths
+            estimators_[i] = plan_.of_class[static_cast<std::size_t>(
+                class_of(i, corner_of(static_cast<double>(pilot_paths))))];
             break;
         }
     needs_paths_ = !settings_.direct_only

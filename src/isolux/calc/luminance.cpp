@@ -19,7 +19,7 @@ constexpr std::size_t replicates = 16;
 constexpr std::size_t most_checks = 24; ///< units: 1, 2, 4, ...
 constexpr std::size_t pilot_paths = 512;
 constexpr std::uint32_t pilot_replicate = 0xfffffdU;
-constexpr double edge_factor = 0.4; ///< METHODS eq. (33)
+constexpr double edge_factor = 0.4; ///< METHODS 11.2
 constexpr double widest_edge = 0.5; ///< m
 
 /// Surfaces of one ray that get numbers of their own; further ones share the last.

@@ -14,7 +14,7 @@ namespace isolux {
 /// Points of a kind: what is efficient for one of them is so for the others.
 enum class PointClass : std::uint8_t {
     open, ///< no second surface within half a metre
-    near, ///< one nearer than that
+    near, ///< one nearer than that, but no edge
     edge  ///< one so near that corners are left out of the light paths, METHODS eq. (33)
 };
 

@@ -45,7 +45,7 @@ struct ViewSetup {
     std::size_t slices_a_side = 8; ///< the picture's pixels take turns with so many slices^2
     std::size_t paths_a_slice = 128;
     EffectiveCounts counts;
-    double edge = 0.0; ///< m, METHODS eq. (33)
+    double edge = 0.0; ///< m, METHODS 11.3
 
     [[nodiscard]] std::size_t layers() const noexcept {
         return single.size() + (merged.empty() ? 0 : 1);

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t pilot_paths = 512;
 constexpr std::uint32_t pilot_replicate = 0xfffffcU;
 
-/// METHODS eq. (33), with the paths of all slices: neighbouring pixels see them all.
+/// METHODS 11.3, with the paths of all slices: neighbouring pixels see them all.
 constexpr double edge_factor = 0.4;
 constexpr double widest_edge = 0.5; ///< m
 

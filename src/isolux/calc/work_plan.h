@@ -24,7 +24,7 @@ struct WorkPlan {
                                       const UnitCosts& costs,
                                       std::size_t points);
 
-/// "open points: local estimation is 30 times as efficient as path tracing", ... or nothing.
+/// "open points: 30 times as efficient as path tracing", ... or nothing.
 [[nodiscard]] std::string describe_advantage(const WorkPlan& plan);
 
 } // namespace isolux

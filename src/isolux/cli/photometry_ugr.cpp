@@ -110,7 +110,7 @@ ExitCode print_tables(const Options& o) {
         tables.push_back(table_to_json(*table));
     }
     print(o.as_json ? Json{{"file", o.file},
-                           {"flux_lm", parsed.value.distribution.flux().value()},
+                           {"luminaire_flux_lm", parsed.value.distribution.flux().value()},
                            {"tables", tables}}
                               .dump(2)
                           + "\n"

@@ -41,7 +41,8 @@ Action add_report(CLI::App& verb) {
     verb.description("Write the report of a calculation from its results folder");
     verb.footer(R"(
 Everything comes from results.json in DIR (and DIR/views, and DIR/selftest.json of
-`isolux selftest -o DIR`), so that a report can be written long after the project is gone. The HTML file needs nothing beside it and no network.
+`isolux selftest -o DIR`), so that a report can be written long after the project is gone. The
+HTML file needs nothing beside it and no network.
 
 Examples:
   isolux report results/open-office               report.html and report.pdf in the folder

@@ -145,6 +145,9 @@ std::string to_json(const std::vector<SelftestRow>& rows, std::uint64_t seed, bo
 }
 
 ExitCode run_selftest(const SelftestOptions& options) {
+    if (!options.folder.empty() && !options.only.empty())
+        throw InputError(
+            "--output", "some cases alone are no self-test to quote", "Leave --only out.");
     const std::uint64_t seed = parse_count("--seed", options.seed, 0, UINT64_MAX);
     const ThreadLimit limit(
         options.threads.empty() ? 0 : parse_count("--threads", options.threads, 1, 1024));

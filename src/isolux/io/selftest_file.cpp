@@ -18,9 +18,7 @@ std::optional<SelftestRecord> find_selftest(const std::filesystem::path& folder)
             test.passed += row.at("pass").get<bool>() ? 1U : 0U;
         return test;
     } catch (const nlohmann::json::exception&) {
-        throw InputError(file.string(),
-                         "not the outcome of a self-test",
-                         "Write it again with `isolux selftest -o`, or remove it.");
+        return std::nullopt;
     }
 }
 

@@ -15,8 +15,7 @@ struct SelftestRecord {
     std::size_t passed = 0;
 };
 
-/// Nothing where the folder holds no selftest.json.
-/// @throws InputError  the file is not what `isolux selftest` writes
+/// Nothing where the folder holds no selftest.json that `isolux selftest` wrote.
 [[nodiscard]] std::optional<SelftestRecord> find_selftest(const std::filesystem::path& folder);
 
 } // namespace isolux

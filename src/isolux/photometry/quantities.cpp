@@ -228,8 +228,8 @@ template <class Iterator> double first_crossing(Iterator begin, Iterator end, do
     return 0.0;
 }
 
-/// How far beyond the horizon the curve stays at `level`, followed from its first point towards
-/// the axis. 0 if it is below at once.
+/// How far beyond the horizon the curve stays at `level`, followed from its first point to the
+/// axis at most. 0 if it is below at once.
 template <class Iterator> double reach_beyond(Iterator begin, Iterator end, double level) {
     const double horizon = std::abs(begin->angle);
     if (begin->candela < level)

@@ -74,7 +74,8 @@ struct BeamExtent {
 
 /// The outermost directions of the polar curve in plane C whose intensity is at least
 /// `share` of the curve's maximum: 0.5 gives the beam angle (EN 12665), 0.1 the field angle.
-/// A beam that crosses the horizon is followed beyond it; a second beam there is not.
+/// A beam that crosses the horizon is followed beyond it, to the axis at most; a second
+/// beam there is not.
 /// Nothing if the plane is dark.
 [[nodiscard]] std::optional<BeamExtent>
 find_beam(const IntensityDistribution& distribution, Angle plane, double share);

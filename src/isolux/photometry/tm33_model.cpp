@@ -105,10 +105,11 @@ void check_flux(const Tm33Emitter& e, const IntensityDistribution& d, Findings& 
                           + " lm, the emitter states " + to_text(std::round(n.value))
                           + " lm (they should agree; the table is used as it is)");
     }
-    // no luminaire loses that much, but a table per 1000 lm looks like it
+    // hardly any luminaire loses that much, but a table per 1000 lm looks like it
     constexpr double least_output_ratio = 0.3;
+    const double undimmed = flux / (e.multiplier.value * e.ballast_factor.value);
     if (!stated && !e.is_per_kilolumen && e.rated_lumens
-        && flux < least_output_ratio * e.rated_lumens->value)
+        && undimmed < least_output_ratio * e.rated_lumens->value)
         findings.warn(e.rated_lumens->line,
                       "the table gives " + to_text(std::round(flux)) + " lm of the rated "
                           + to_text(std::round(e.rated_lumens->value))

@@ -44,7 +44,7 @@ public:
         : scene_(&scene), emission_(&emission), images_(&images) {}
 
     /// Next to an edge (nearer than `edge`, m, to a second surface) a place is traced instead;
-    /// a matter of geometry only, METHODS eq. (33).
+    /// a matter of geometry only, METHODS 11.2.
     [[nodiscard]] ReflectedBy choose(const SeenSurface& seen, double edge) const noexcept;
 
     /// Illuminance on the surface by light that was reflected at least once, lx by channel;

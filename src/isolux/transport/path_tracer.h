@@ -6,8 +6,7 @@
 namespace isolux {
 
 /// Illuminance at the receiver that is not direct, by path tracing from the receiver with
-/// next-event estimation: the independent second opinion, and the better estimator next to an
-/// edge.
+/// next-event estimation: the independent second opinion.
 ///
 /// @param first   number of the first sample of this replicate (grows from unit to unit)
 /// @param rays    counts the rays traced

@@ -74,7 +74,7 @@ TEST(Tm33, ReadsATableDirectlyWithinTheLuminousData) {
     };
     const auto parsed = parse_photometry(with_type("CIE _ C"), "a.xml");
     EXPECT_NEAR(candela(parsed.value, 77, 45), 150.0, 1e-9);
-    // 300 cd on average 0.57 x 2 pi sr or less: no lamp of 4000 lm
+    // 2 pi x 300 cd x (1 - 2/pi) = 685 lm: 17 % of 4000 lm
     EXPECT_THAT(notices(parsed), HasSubstr("a.xml:5: the table gives"));
     EXPECT_THAT(notices(parsed),
                 HasSubstr("of the rated 4000 lm (read as candelas; are they per 1000 lm?)"));

@@ -197,8 +197,7 @@ Texts make_english() {
     t.self_test = "Self-test";
     t.self_test_absent = "not part of this folder; `isolux selftest -o` with this folder and "
                          "`isolux report` add it";
-    t.self_test_value = "{} of {} comparisons with known answers passed on the user's machine "
-                        "(isolux {}, seed {})";
+    t.self_test_value = "{} of {} comparisons with known answers passed (isolux {}, seed {})";
     t.duration = "Duration";
     t.duration_value = "{} s, {} s of processor time";
     t.budget_title = "Uncertainty budget";
