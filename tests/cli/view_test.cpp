@@ -67,6 +67,11 @@ TEST_F(ViewVerb, SaysWhatIsWrongWithItsOptions) {
     EXPECT_EQ(place.err,
               "error: --probe: '1,two,3' is no place (x,y,z in metres is expected). --probe "
               "1.5,2,0.75, for example\n");
+    const Ran picture = view("--screenshot office.bmp");
+    EXPECT_EQ(picture.exit_code, 2);
+    EXPECT_EQ(picture.err,
+              "error: --screenshot: 'office.bmp' is no name of a picture. A name that ends in "
+              ".png?\n");
     const Ran surface = view("--surface 'office work plan'");
     EXPECT_EQ(surface.exit_code, 2);
     EXPECT_THAT(
@@ -113,6 +118,14 @@ TEST_F(ViewWindow, WritesAPictureFromEveryCamera) {
         EXPECT_NE(read_text(png), last) << camera;
         last = read_text(png);
     }
+}
+
+TEST_F(ViewWindow, SaysThatThePictureCannotBeWritten) {
+    const Ran ran = view_in_x("--screenshot /nowhere/a.png 2>&1");
+    EXPECT_EQ(ran.exit_code, 1);
+    EXPECT_EQ(ran.out,
+              "error: /nowhere/a.png: cannot be written (No such file or directory). Does the "
+              "folder exist?\n");
 }
 
 TEST_F(ViewWindow, SaysWhichFileIsMissing) {

@@ -77,8 +77,13 @@ ExitCode view(const ViewOptions& o) {
     options.camera = parse_camera(o.camera);
     if (!o.probe.empty())
         options.probe = parse_place(o.probe);
-    if (!o.screenshot.empty())
+    if (!o.screenshot.empty()) {
+        if (fs::path(o.screenshot).extension() != ".png")
+            throw InputError("--screenshot",
+                             fmt::format("'{}' is no name of a picture", o.screenshot),
+                             "A name that ends in .png?");
         options.screenshot = o.screenshot;
+    }
     const ResultsDocument document = read_results_json(fs::path(o.folder) / "results.json");
     if (!o.surface.empty())
         options.surface = find_surface(o.surface, document.results);

@@ -12,6 +12,7 @@ namespace isolux {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 /// I(h, v) = 100 + v + h, on quadrant planes.
@@ -78,6 +79,9 @@ TEST(Tm33, ReadsATableDirectlyWithinTheLuminousData) {
     EXPECT_THAT(notices(parsed), HasSubstr("a.xml:5: the table gives"));
     EXPECT_THAT(notices(parsed),
                 HasSubstr("of the rated 4000 lm (read as candelas; are they per 1000 lm?)"));
+    std::string dimmer = with_type("CIE _ C"); // 685 lm of 2200 lm, 31 %: nothing to say
+    dimmer.replace(dimmer.find(">4000<"), 6, ">2200<");
+    EXPECT_THAT(notices(parse_photometry(dimmer, "a.xml")), Not(HasSubstr("per 1000 lm")));
     EXPECT_THAT(refusal(with_type("CIE _ B")),
                 HasSubstr("photometry type 'CIE _ B' (only type C is read from TM-33)"));
 }
