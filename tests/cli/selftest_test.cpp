@@ -40,6 +40,13 @@ TEST(SelftestVerb, PrintsJson) {
         EXPECT_NE(ran.out.find("\"" + std::string(key) + "\": "), std::string::npos) << key;
 }
 
+TEST(SelftestVerb, LeavesItsOutcomeInAFolder) {
+    const TemporaryFolder folder;
+    const Ran ran = run_program({"selftest", "--json", "-o", folder.path("new")});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_EQ(read_text(folder.path("new/selftest.json")), ran.out);
+}
+
 TEST(SelftestVerb, ListsCasesWhenNoneIsMeant) {
     const Ran ran = run_program({"selftest", "--only", "radiosity"});
     EXPECT_EQ(ran.exit_code, 2);

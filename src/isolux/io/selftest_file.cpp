@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "isolux/base/error.h"
 #include "isolux/io/text_file.h"
 
 namespace isolux {
