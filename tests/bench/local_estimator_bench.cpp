@@ -72,11 +72,11 @@ void local_estimate_of_points(benchmark::State& state) {
     for (benchmark::IterationCount i = 0; i < 12; ++i)
         receivers.push_back(receiver(i));
     for (const Receiver& r : receivers)
-        points.push_back({&r, r.point, 0.37});
+        points.push_back({&r, r.point, 0.37, draws});
     std::vector<Rgb> result(points.size());
     for (auto _ : state)
         benchmark::DoNotOptimize(gather_local_estimates(
-            room(), cache(), points, Weighting::balanced, draws, scratch, result));
+            room(), cache(), points, Weighting::balanced, scratch, result));
     state.counters["seconds a point"] = benchmark::Counter(
         static_cast<double>(points.size()),
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -31,6 +31,7 @@ double plain_gather(const SmallEngine& e,
                     std::uint32_t replicate,
                     bool drops_cosine) {
     const EffectiveCounts c = e.counts();
+    const auto rays = static_cast<double>(e.directions);
     const PointRandomness random(5, StreamPurpose::test, replicate, index);
     double sum = 0.0;
     for (std::uint32_t s = 0; s < e.directions; ++s) {
@@ -49,7 +50,7 @@ double plain_gather(const SmallEngine& e,
         const NextEvent event =
             estimate_next_event(e.scene, e.emission, y, hit->normal, u3, u4, u.next());
         const double n1_p1 = c.paths * event.path_density;
-        const double n2_p2 = c.gather_first * p2;
+        const double n2_p2 = rays * c.gather_first * p2;
         double luminance =
             luminance_sum(event.illuminance) * rho / pi * n2_p2 / (n1_p1 + n2_p2);
         const auto pick =
@@ -62,14 +63,14 @@ double plain_gather(const SmallEngine& e,
         if (cos_v > 0.0 && cos_y > 0.0 && e.scene.caster.transmittance(v.position, y) > 0.0) {
             const double p1 = rho * cos_v / pi * cos_y / d2;
             const double a = c.vertices * p1;
-            const double b = c.gather_later * p2;
+            const double b = rays * c.gather_later * p2;
             luminance += static_cast<double>(cache.size()) / static_cast<double>(cache.paths)
                          * luminance_sum(v.radiant) * cos_v * cos_y / d2 * rho / pi * b
                          / (a + b);
         }
         sum += evaluate_response(receiver, w) / pdf * luminance;
     }
-    return sum / static_cast<double>(e.directions);
+    return sum / rays;
 }
 
 /// As many light paths as gather rays, in effect, so that either weight counts.
@@ -198,10 +199,9 @@ std::vector<Receiver> points_near_walls() {
 }
 
 /// METHODS eq. (5) times w1 of eq. (10), for a plane, in double precision.
-double weighed(const PathVertex& v,
-               const Point3& at,
-               const UnitVector3& axis,
-               const EffectiveCounts& c) {
+double
+weighed(const PathVertex& v, const Point3& at, const UnitVector3& axis, const SmallEngine& e) {
+    const EffectiveCounts c = e.counts();
     const Vector3 d = v.position - at;
     const double d2 = length_squared(d);
     const double cos_x = dot(axis, d) / std::sqrt(d2);
@@ -209,7 +209,8 @@ double weighed(const PathVertex& v,
     if (cos_x <= 0.0 || cos_v <= 0.0)
         return 0.0;
     const double n1 = v.is_first ? c.paths : c.vertices;
-    const double n2 = v.is_first ? c.gather_first : c.gather_later;
+    const double n2 =
+        static_cast<double>(e.directions) * (v.is_first ? c.gather_first : c.gather_later);
     const double chain = n1 * v.density;
     const double share = chain / (chain + n2 * cos_x / pi * cos_v / d2);
     return luminance_sum(v.radiant) * cos_x * cos_v / d2 * share;
@@ -235,7 +236,7 @@ TEST(Subset, OfOneEightOrSixteenVerticesHasTheMeanOfAll) {
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const Point3 at = clear_point(scene, points[i]);
                 for (const PathVertex& v : cache.vertices)
-                    row[i] += weighed(v, at, points[i].axis, engine.counts())
+                    row[i] += weighed(v, at, points[i].axis, engine)
                               * scene.caster.transmittance(at, v.position)
                               / static_cast<double>(cache.paths);
             }

@@ -33,8 +33,7 @@ struct SmallEngine {
 
     [[nodiscard]] EffectiveCounts counts() const {
         const double m = static_cast<double>(paths);
-        const double n2 = static_cast<double>(directions);
-        return {m, m * vertices_per_path, n2, n2};
+        return {m, m * vertices_per_path, 1.0, 1.0};
     }
 
     [[nodiscard]] VertexCache cache(std::uint64_t seed,
@@ -51,12 +50,14 @@ struct SmallEngine {
                                std::uint32_t replicate,
                                Weighting weighting = Weighting::balanced) const {
         const RandomStream subset(seed, StreamPurpose::subset, replicate);
-        const LocalPoint point{
-            &receiver, clear_point(scene, receiver), subset.uniform(index, 0)};
+        const LocalPoint point{&receiver,
+                               clear_point(scene, receiver),
+                               subset.uniform(index, 0),
+                               draws,
+                               static_cast<double>(directions)};
         LocalScratch scratch;
         Rgb light;
-        gather_local_estimates(
-            scene, vertices, {&point, 1}, weighting, draws, scratch, {&light, 1});
+        gather_local_estimates(scene, vertices, {&point, 1}, weighting, scratch, {&light, 1});
         return luminance_sum(light);
     }
 

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "isolux/transport/direct_light.h"
+
 namespace isolux {
 
 namespace {
@@ -20,17 +22,95 @@ double power_of_two_above(double x, std::size_t least, std::size_t most) {
     return static_cast<double>(std::bit_ceil(static_cast<std::size_t>(std::ceil(bounded))));
 }
 
+constexpr std::size_t most_looks = DirectLight::most_looks;
+
+/// The power of two in [least, most] for which a/n + price n is least.
+std::size_t best_count(double a, double price, std::size_t least, std::size_t most) {
+    std::size_t best = least;
+    for (std::size_t n = 2 * least; n <= most; n *= 2)
+        if (a / static_cast<double>(n) + price * static_cast<double>(n)
+            < a / static_cast<double>(best) + price * static_cast<double>(best))
+            best = n;
+    return best;
+}
+
+/// What a choice comes to: variance and cost of a unit, means over the points.
+struct Outcome {
+    double variance = 0.0;
+    double cost = 0.0;
+};
+
+Outcome outcome_of(const SharedTask& task, const Effort& effort) {
+    Outcome sum;
+    const std::size_t points = task.all();
+    for (std::size_t c = 0; c < point_classes; ++c) {
+        const double share = static_cast<double>(task.points[c]) / static_cast<double>(points);
+        const VarianceModel& model = task.models[c];
+        const PointEffort& e = effort.at[c];
+        sum.variance += share * (model.of(effort.paths, e) + model.of_direct(e));
+        sum.cost += share
+                    * (task.costs.of(effort.paths, e, points)
+                       + task.costs.look * model.look_rays * static_cast<double>(e.looks));
+    }
+    return sum;
+}
+
+/// Where variance has a price, every class chooses for itself; all prices are tried.
+template <class Cost>
+Effort best_effort(const SharedTask& task, std::size_t paths, Cost&& total_cost) {
+    Effort best;
+    double least = 0.0;
+    for (int exponent = -40; exponent <= 40; ++exponent) {
+        const double price = std::exp2(0.5 * exponent); // of a nanosecond, in variance
+        Effort effort;
+        effort.paths = paths;
+        for (std::size_t c = 0; c < point_classes; ++c)
+            effort.at[c] = {
+                best_count(
+                    task.models[c].draws, price * task.costs.draw, fewest_draws, most_draws),
+                best_count(task.models[c].directions,
+                           price * task.costs.direction,
+                           1,
+                           most_directions),
+                best_count(task.models[c].direct,
+                           price * task.costs.look * task.models[c].look_rays,
+                           1,
+                           most_looks)};
+        const double cost = total_cost(outcome_of(task, effort));
+        if (least == 0.0 || cost < least) {
+            least = cost;
+            best = effort;
+        }
+    }
+    return best;
+}
+
+double cost_with_units(const Outcome& o) {
+    return power_of_two_above(o.variance / aim, 1, most_units) * o.cost;
+}
+
 } // namespace
 
-double VarianceModel::of(const Effort& e) const noexcept {
-    return paths / static_cast<double>(e.paths) + draws / static_cast<double>(e.draws)
+double VarianceModel::of(std::size_t m, const PointEffort& e) const noexcept {
+    return paths / static_cast<double>(m) + draws / static_cast<double>(e.draws)
            + directions / static_cast<double>(e.directions);
 }
 
-double UnitCosts::of(const Effort& e, std::size_t points) const noexcept {
+double VarianceModel::of_direct(const PointEffort& e) const noexcept {
+    return direct / static_cast<double>(e.looks);
+}
+
+double UnitCosts::of(std::size_t m, const PointEffort& e, std::size_t points) const noexcept {
     const double shared = path / static_cast<double>(std::max<std::size_t>(1, points));
-    return static_cast<double>(e.paths) * (shared + pair) + static_cast<double>(e.draws) * draw
+    return static_cast<double>(m) * (shared + pair) + static_cast<double>(e.draws) * draw
            + static_cast<double>(e.directions) * direction + point;
+}
+
+std::size_t SharedTask::all() const noexcept {
+    std::size_t sum = 0;
+    for (const std::size_t n : points)
+        sum += n;
+    return sum;
 }
 
 UnitCosts make_unit_costs(const Scene& scene, double vertices_per_path) {
@@ -47,45 +127,30 @@ UnitCosts make_unit_costs(const Scene& scene, double vertices_per_path) {
     c.draw = 25.0 + 35.0 * depth;
     c.direction = next_event + 260.0 * depth;
     c.sample = (vertices_per_path + 0.5) * (next_event + 220.0 * depth);
+    c.look = c.draw;
     c.point = 150.0;
     return c;
 }
 
-EffortChoice
-choose_effort(const VarianceModel& model, const UnitCosts& costs, std::size_t points) {
+EffortChoice choose_effort(const SharedTask& task) {
     EffortChoice best;
     double least = 0.0;
-    for (std::size_t m = fewest_paths; m <= most_paths; m *= 2)
-        for (std::size_t k = fewest_draws; k <= most_draws; k *= 2)
-            for (std::size_t n = 1; n <= most_directions; n *= 2) {
-                const Effort effort{m, k, n, best.effort.samples};
-                const double units =
-                    power_of_two_above((model.of(effort) + model.direct) / aim, 1, most_units);
-                const double cost = units * costs.of(effort, points);
-                if (least == 0.0 || cost < least) {
-                    least = cost;
-                    best = {effort, static_cast<std::size_t>(units)};
-                }
-            }
+    for (std::size_t m = fewest_paths; m <= most_paths; m *= 2) {
+        const Effort effort = best_effort(task, m, cost_with_units);
+        const Outcome o = outcome_of(task, effort);
+        const double cost = cost_with_units(o);
+        if (least == 0.0 || cost < least) {
+            least = cost;
+            best = {
+                effort,
+                static_cast<std::size_t>(power_of_two_above(o.variance / aim, 1, most_units))};
+        }
+    }
     return best;
 }
 
-Effort balance_effort(const VarianceModel& model,
-                      const UnitCosts& costs,
-                      std::size_t points,
-                      std::size_t paths) {
-    Effort best{paths, fewest_draws, 1, 0};
-    double least = 0.0;
-    for (std::size_t k = fewest_draws; k <= most_draws; k *= 2)
-        for (std::size_t n = 1; n <= most_directions; n *= 2) {
-            const Effort effort{paths, k, n, 0};
-            const double cost = (model.of(effort) + model.direct) * costs.of(effort, points);
-            if (least == 0.0 || cost < least) {
-                least = cost;
-                best = effort;
-            }
-        }
-    return best;
+Effort balance_effort(const SharedTask& task, std::size_t paths) {
+    return best_effort(task, paths, [](const Outcome& o) { return o.variance * o.cost; });
 }
 
 std::size_t choose_samples(const VarianceModel& model, std::size_t units) {

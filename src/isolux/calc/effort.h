@@ -1,19 +1,38 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "isolux/scene/scene.h"
 
 namespace isolux {
 
-/// How much one unit of work holds. A unit of one replicate is `paths` light paths and, at
-/// every point, `draws` shadow rays, `directions` gather rays or `samples` traced paths.
+/// Points of a kind: what is efficient for one of them is so for the others.
+enum class PointClass : std::uint8_t {
+    open, ///< no second surface within half a metre
+    near, ///< one nearer than that, but no edge
+    edge  ///< one within a hand's breadth
+};
+
+inline constexpr std::size_t point_classes = 3;
+
+template <class T> using ByClass = std::array<T, point_classes>;
+
+/// What is spent on a point in one unit of one replicate, beside the light paths.
+struct PointEffort {
+    std::size_t draws = 16;     ///< K shadow rays to vertices
+    std::size_t directions = 4; ///< N2 gather rays
+    std::size_t looks = 1;      ///< L, multiplies the samples of direct light
+};
+
+/// How much one unit of work holds: of one replicate, `paths` light paths that all points share
+/// and, at every point, what its class needs, or `samples` traced paths.
 struct Effort {
-    std::size_t paths = 1024;   ///< M, a power of two
-    std::size_t draws = 16;     ///< K
-    std::size_t directions = 4; ///< N2
-    std::size_t samples = 32;   ///< path tracing
+    std::size_t paths = 1024; ///< M, a power of two
+    ByClass<PointEffort> at;
+    std::size_t samples = 32; ///< path tracing
 };
 
 /// Which estimator of the indirect part a point takes.
@@ -22,12 +41,13 @@ enum class PointEstimator : std::uint8_t { local, mis, path_tracing, study };
 inline constexpr std::size_t fewest_paths = 256;
 inline constexpr std::size_t most_paths = 65536;
 inline constexpr std::size_t fewest_draws = 4;
-inline constexpr std::size_t most_draws = 64;
-inline constexpr std::size_t most_directions = 64;
+inline constexpr std::size_t most_draws = 128;
+inline constexpr std::size_t most_directions = 128;
 inline constexpr std::size_t most_units = 256; ///< before the first look
 
 /// Variance of the mean of all replicates after one unit, METHODS eq. (61):
-/// paths/M + draws/K + directions/N2 + direct, or samples/S + direct where a point is traced;
+/// paths/M + draws/K + directions/N2 + direct/L, or samples/S + direct/L where a point is
+/// traced;
 /// in shares of what the tolerance allows, so that 1 is good enough.
 struct VarianceModel {
     double paths = 0.0;
@@ -36,8 +56,11 @@ struct VarianceModel {
     double direct = 0.0;
     double samples = 0.0;
 
-    /// Of LE-MIS at this effort, without the direct part.
-    [[nodiscard]] double of(const Effort& e) const noexcept;
+    double look_rays = 0.0; ///< shadow rays of one unit of direct light
+
+    /// Of LE-MIS with M paths, without the direct part.
+    [[nodiscard]] double of(std::size_t m, const PointEffort& e) const noexcept;
+    [[nodiscard]] double of_direct(const PointEffort& e) const noexcept;
 };
 
 /// What things cost, in units of about a nanosecond of one core. They are constants of scene
@@ -49,30 +72,38 @@ struct UnitCosts {
     double draw = 0.0;      ///< of one shadow ray
     double direction = 0.0; ///< of one gather ray and its two connections
     double sample = 0.0;    ///< of one traced path
-    double point = 0.0;     ///< of a point's unit whatever it holds, direct light included
+    double look = 0.0;      ///< of one shadow ray of direct light
+    double point = 0.0;     ///< of a point's unit whatever it holds
 
-    /// Of LE-MIS, one unit and one point among `points` that share the light paths.
-    [[nodiscard]] double of(const Effort& e, std::size_t points) const noexcept;
+    /// Of LE-MIS, one unit and one point among `points` that share the M light paths, without
+    /// direct light.
+    [[nodiscard]] double
+    of(std::size_t m, const PointEffort& e, std::size_t points) const noexcept;
 };
 
 /// @param vertices_per_path  of the pilot
 [[nodiscard]] UnitCosts make_unit_costs(const Scene& scene, double vertices_per_path);
+
+/// The points that share light paths: how many of each class, and what their samples are worth.
+struct SharedTask {
+    ByClass<std::size_t> points{};
+    ByClass<VarianceModel> models;
+    UnitCosts costs;
+
+    [[nodiscard]] std::size_t all() const noexcept;
+};
 
 struct EffortChoice {
     Effort effort;
     std::size_t units = 1; ///< before the first look
 };
 
-/// The cheapest effort and number of units, all powers of two, that should bring `points`
-/// points within the tolerance: METHODS "Choosing M, K, N2".
-[[nodiscard]] EffortChoice
-choose_effort(const VarianceModel& model, const UnitCosts& costs, std::size_t points);
+/// The cheapest effort and number of units, all powers of two, that should bring the points'
+/// mean variance within what is allowed: METHODS "Choosing M, K, N2".
+[[nodiscard]] EffortChoice choose_effort(const SharedTask& task);
 
 /// The most efficient numbers of draws and directions beside so many paths.
-[[nodiscard]] Effort balance_effort(const VarianceModel& model,
-                                    const UnitCosts& costs,
-                                    std::size_t points,
-                                    std::size_t paths);
+[[nodiscard]] Effort balance_effort(const SharedTask& task, std::size_t paths);
 
 /// Paths to trace from a point in each of `units` units.
 [[nodiscard]] std::size_t choose_samples(const VarianceModel& model, std::size_t units);

@@ -15,7 +15,10 @@ namespace {
 
 /// METHODS eq. (33): nearer to the second surface than this times sqrt(A / M) a point leaves
 /// corners to walks of its own.
-constexpr double edge_factor = 0.8;
+constexpr double edge_factor = 1.6;
+
+/// Points this near to a second surface are a class of their own, m.
+constexpr double edge_of_class = 0.1;
 
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
@@ -68,23 +71,26 @@ Engine::Engine(const Scene& scene, const Settings& settings)
       direct_(scene, emission_, images_) {}
 
 void Engine::adapt(std::span<const std::size_t> active) {
-    const auto by_paths = static_cast<std::size_t>(
-        std::count_if(active.begin(), active.end(), [&](std::size_t i) {
-            return takes_paths(estimators_[i]);
-        }));
-    needs_paths_ = !settings_.direct_only && by_paths > 0;
+    SharedTask task{{}, pilot_.of_class, costs_};
+    for (const std::size_t i : active)
+        if (takes_paths(estimators_[i]))
+            ++task.points[static_cast<std::size_t>(classes_[i])];
+    needs_paths_ = !settings_.direct_only && task.all() > 0;
+    if (!needs_paths_)
+        return;
     // More for each of few points; never less, so that no number is drawn twice.
-    const Effort balanced = balance_effort(pilot_.all, costs_, by_paths, effort_.paths);
-    effort_.draws = std::max(effort_.draws, balanced.draws);
-    effort_.directions = std::max(effort_.directions, balanced.directions);
-    fix_counts();
+    const Effort balanced = balance_effort(task, effort_.paths);
+    for (std::size_t c = 0; c < point_classes; ++c) {
+        PointEffort& e = effort_.at[c];
+        e.draws = std::max(e.draws, balanced.at[c].draws);
+        e.directions = std::max(e.directions, balanced.at[c].directions);
+        e.looks = std::max(e.looks, balanced.at[c].looks);
+    }
 }
 
 void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
-    const double directions = static_cast<double>(effort_.directions);
-    counts_ = {
-        paths, paths * pilot_.vertices_per_path, directions, directions, corner_of(paths)};
+    counts_ = {paths, paths * pilot_.vertices_per_path, 1.0, 1.0, corner_of(paths)};
 }
 
 /// Radius of METHODS eq. (33) for a number of paths, m; pure LE-MIS knows none.
@@ -99,6 +105,7 @@ void Engine::find_surroundings() {
     near_surface_.assign(receivers_.size(), 0);
     second_.resize(receivers_.size());
     clear_.resize(receivers_.size());
+    classes_.assign(receivers_.size(), PointClass::open);
     plans_.assign(receivers_.size(), {});
     for_each_index(receivers_.size(), 64, [&](std::size_t i) {
         Receiver& receiver = receivers_[i];
@@ -106,6 +113,9 @@ void Engine::find_surroundings() {
             scene_->caster.find_nearest_surfaces(receiver.point, widest_edge);
         near_surface_[i] = d.second < too_near ? 1 : 0;
         second_[i] = static_cast<float>(d.second);
+        classes_[i] = d.second < edge_of_class ? PointClass::edge
+                      : d.second < widest_edge ? PointClass::near
+                                               : PointClass::open;
         receiver.point = moved_off(receiver, d);
         clear_[i] = clear_point(*scene_, receiver);
     });
@@ -120,37 +130,36 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         return 1;
     }
     const double corner = corner_of(static_cast<double>(pilot_paths));
-    std::vector<PointClass> classes(receivers_.size());
-    for (std::size_t i = 0; i < classes.size(); ++i)
-        classes[i] = class_of(i, corner);
+    std::vector<std::uint8_t> leaves_corners(receivers_.size());
+    ByClass<std::size_t> points{};
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+        leaves_corners[i] = is_within(i, corner) ? 1 : 0;
+        ++points[static_cast<std::size_t>(classes_[i])];
+    }
     pilot_ = run_pilot({scene_,
                         &emission_,
                         &images_,
                         receivers_,
                         clear_,
-                        classes,
+                        classes_,
+                        leaves_corners,
                         corner,
                         settings_.seed,
                         !settings_.direct_only,
                         [&](std::size_t i, std::uint32_t first, std::span<double> values) {
-                            RayCounts unused;
-                            plan_direct(i, unused);
-                            estimate_direct(i, 0, first, values, unused);
+                            RayCounts rays;
+                            plan_direct(i, rays);
+                            rays = {};
+                            estimate_direct(i, 0, first, values, rays);
+                            return rays.shadow;
                         }},
                        target);
     costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path);
-    plan_ = make_work_plan(settings_, pilot_, costs_, receivers_.size());
+    plan_ = make_work_plan(settings_, pilot_, costs_, points);
     effort_ = plan_.effort;
     fix_counts();
     choose_estimators();
     return plan_.units;
-}
-
-PointClass Engine::class_of(std::size_t receiver, double corner) const noexcept {
-    const auto second = static_cast<double>(second_[receiver]);
-    return second < corner        ? PointClass::edge
-           : second < widest_edge ? PointClass::near
-                                  : PointClass::open;
 }
 
 /// Which points are traced: a matter of geometry and of the pilot only, so it biases nothing.
@@ -172,9 +181,7 @@ void Engine::choose_estimators() {
         case Estimator::local_estimation_mis:
             break;
         case Estimator::automatic:
-            // the class the pilot judged it in; the corner itself shrinks with the paths
-            estimators_[i] = plan_.of_class[static_cast<std::size_t>(
-                class_of(i, corner_of(static_cast<double>(pilot_paths))))];
+            estimators_[i] = plan_.of_class[static_cast<std::size_t>(classes_[i])];
             break;
         }
     needs_paths_ = !settings_.direct_only
@@ -220,14 +227,18 @@ void Engine::estimate_local(const VertexCache& cache,
     thread_local std::vector<Rgb> sums;
     const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
     locals.clear();
-    for (const std::size_t i : points)
+    for (const std::size_t i : points) {
+        const PointEffort& effort = effort_of(i);
         locals.push_back({&receivers_[i],
                           clear_[i],
                           subset.uniform(i, unit),
-                          class_of(i, counts_.corner) == PointClass::edge});
+                          effort.draws,
+                          static_cast<double>(effort.directions),
+                          is_within(i, counts_.corner)});
+        rays.shadow += effort.draws;
+    }
     sums.assign(points.size(), {});
-    const auto draws =
-        gather_local_estimates(*scene_, cache, locals, weighting, effort_.draws, scratch, sums);
+    const auto draws = gather_local_estimates(*scene_, cache, locals, weighting, scratch, sums);
     for (std::size_t k = 0; k < points.size(); ++k)
         tile.total[points[k] - first] += sums[k];
     if (!tile.by_source.empty() || tile.wants_trails())
@@ -240,7 +251,6 @@ void Engine::estimate_local(const VertexCache& cache,
             visit_chain(
                 cache, draw.vertex, [&](MaterialId m) { tile.add_reflection(point, m, lux); });
         }
-    rays.shadow += effort_.draws * points.size();
 }
 
 void Engine::send_rays(const VertexCache& cache,
@@ -257,19 +267,23 @@ void Engine::send_rays(const VertexCache& cache,
     thread_local std::vector<double> by_source;
     thread_local std::vector<double> by_material;
     senders.clear();
-    for (const std::size_t i : points)
+    const bool traces = estimator == PointEstimator::path_tracing;
+    for (const std::size_t i : points) {
+        const std::size_t samples = traces ? effort_.samples : effort_of(i).directions;
         senders.push_back({&receivers_[i],
                            clear_[i],
                            {settings_.seed, StreamPurpose::gather, replicate, i},
-                           class_of(i, counts_.corner) == PointClass::edge});
+                           samples,
+                           static_cast<std::uint32_t>(unit * samples),
+                           is_within(i, counts_.corner)});
+    }
     sums.assign(points.size(), {});
     front.start(*scene_, emission_, images_, senders);
-    if (estimator == PointEstimator::path_tracing) {
-        front.add_tracing(effort_.samples, static_cast<std::uint32_t>(unit * effort_.samples));
+    if (traces) {
+        front.add_tracing();
     } else {
         front.share_with(cache, counts_, estimator == PointEstimator::mis);
-        front.add_gathering(effort_.directions,
-                            static_cast<std::uint32_t>(unit * effort_.directions));
+        front.add_gathering();
     }
     // The points may be some of the tile's only.
     const std::size_t n = points.size();
@@ -322,17 +336,18 @@ void Engine::estimate_indirect(const VertexCache& cache,
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
         if (estimators_[first + i] == PointEstimator::study)
-            light[i] = study_.estimate(*scene_,
-                                       emission_,
-                                       images_,
-                                       cache,
-                                       receivers_[first + i],
-                                       first + i,
-                                       replicate,
-                                       unit,
-                                       {effort_.draws, effort_.directions, study_samples},
-                                       subset.uniform(first + i, unit),
-                                       rays);
+            light[i] = study_.estimate(
+                *scene_,
+                emission_,
+                images_,
+                cache,
+                receivers_[first + i],
+                first + i,
+                replicate,
+                unit,
+                {effort_of(first + i).draws, effort_of(first + i).directions, study_samples},
+                subset.uniform(first + i, unit),
+                rays);
         const std::uint64_t before = rays.degenerate;
         result[i] = finite_lux(light[i], rays);
         if (rays.degenerate == before)
@@ -366,6 +381,7 @@ void Engine::estimate_direct(std::size_t index,
                      index,
                      settings_.seed,
                      unit,
+                     static_cast<std::uint32_t>(effort_of(index).looks),
                      first_replicate,
                      {values, layout_, by_source, {}},
                      rays.shadow);
@@ -382,10 +398,17 @@ std::string Engine::describe() const {
     const auto count = [&](PointEstimator e) {
         return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
     };
+    const auto by_class = [&](std::size_t PointEffort::*what) {
+        std::string text;
+        for (std::size_t c = 0; c < point_classes; ++c)
+            if (std::count(classes_.begin(), classes_.end(), PointClass(c)) > 0)
+                text += fmt::format("{}{}", text.empty() ? "" : "/", effort_.at[c].*what);
+        return text;
+    };
     const std::string text =
         fmt::format("light paths per replicate and unit: {}, shadow rays a point: {}",
                     effort_.paths,
-                    effort_.draws);
+                    by_class(&PointEffort::draws));
     switch (settings_.estimator) {
     case Estimator::local_estimation:
         return "local estimation; " + text;
@@ -409,7 +432,7 @@ std::string Engine::describe() const {
             pilot.empty() ? "" : "; " + pilot,
             count(PointEstimator::path_tracing),
             text,
-            effort_.directions);
+            by_class(&PointEffort::directions));
     }
     }
 }

@@ -91,7 +91,16 @@ public:
 private:
     void find_surroundings();
     [[nodiscard]] double corner_of(double paths) const noexcept;
-    [[nodiscard]] PointClass class_of(std::size_t receiver, double corner) const noexcept;
+
+    /// Whether a second surface is nearer than that, m.
+    [[nodiscard]] bool is_within(std::size_t receiver, double distance) const noexcept {
+        return static_cast<double>(second_[receiver]) < distance;
+    }
+
+    [[nodiscard]] const PointEffort& effort_of(std::size_t receiver) const noexcept {
+        return effort_.at[static_cast<std::size_t>(classes_[receiver])];
+    }
+
     void choose_estimators();
     void fix_counts();
     [[nodiscard]] bool takes_paths(PointEstimator e) const noexcept;
@@ -127,6 +136,7 @@ private:
     std::vector<DirectPlan> plans_;
     std::vector<Point3> clear_; ///< where their rays start
     std::vector<PointEstimator> estimators_;
+    std::vector<PointClass> classes_;
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;
     StudyEstimators study_;

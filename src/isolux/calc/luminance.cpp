@@ -55,8 +55,7 @@ public:
             vertices_per_path = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
         }
         const double paths = static_cast<double>(paths_);
-        const double directions = static_cast<double>(effort_.directions);
-        counts_ = {paths, paths * vertices_per_path, directions, directions};
+        counts_ = {paths, paths * vertices_per_path, 1.0, 1.0};
         edge_ = std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / paths));
     }
 

@@ -30,14 +30,26 @@ struct Look {
     Pair gathered{};
     double traced = 0.0;
     double direct = 0.0;
+    double look_rays = 0.0; ///< that it took
 };
 
-/// Which points are looked at, evenly spread over the task.
-std::vector<std::size_t> choose_points(std::size_t count) {
-    const std::size_t chosen = std::min(count, pilot_points);
+/// A class is looked at so often, however rare it is.
+constexpr std::size_t fewest_of_a_class = 16;
+
+/// Which points are looked at: evenly spread over each class, in the task's order.
+std::vector<std::size_t> choose_points(std::span<const PointClass> classes) {
+    ByClass<std::vector<std::size_t>> members;
+    for (std::size_t i = 0; i < classes.size(); ++i)
+        members[static_cast<std::size_t>(classes[i])].push_back(i);
     std::vector<std::size_t> points;
-    for (std::size_t i = 0; i < chosen; ++i)
-        points.push_back((2 * i + 1) * count / (2 * chosen));
+    for (const std::vector<std::size_t>& m : members) {
+        const std::size_t share = (m.size() * pilot_points + classes.size() - 1)
+                                  / std::max<std::size_t>(1, classes.size());
+        const std::size_t chosen = std::min(m.size(), std::max(share, fewest_of_a_class));
+        for (std::size_t i = 0; i < chosen; ++i)
+            points.push_back(m[(2 * i + 1) * m.size() / (2 * chosen)]);
+    }
+    std::sort(points.begin(), points.end());
     return points;
 }
 
@@ -58,12 +70,15 @@ public:
         std::vector<RayPoint> senders;
         for (std::size_t p = first; p < last; ++p) {
             const std::size_t i = points_[p];
-            const bool at_edge = task_.classes[i] == PointClass::edge && task_.corner > 0.0;
-            locals.push_back({&task_.receivers[i], task_.clear[i], 0.0, at_edge});
+            const bool leaves = task_.leaves_corners[i] != 0;
+            locals.push_back(
+                {&task_.receivers[i], task_.clear[i], 0.0, draws, directions, leaves});
             senders.push_back({&task_.receivers[i],
                                task_.clear[i],
                                {task_.seed, StreamPurpose::pilot, replicate, i},
-                               at_edge});
+                               directions,
+                               0,
+                               leaves});
         }
         LocalScratch scratch;
         WalkFront front;
@@ -73,20 +88,24 @@ public:
                 locals[k].offset = subset.uniform(points_[first + k], (1U << 20U) + half);
             std::fill(sums.begin(), sums.end(), Rgb{});
             gather_local_estimates(
-                *task_.scene, cache, locals, Weighting::balanced, draws, scratch, sums);
+                *task_.scene, cache, locals, Weighting::balanced, scratch, sums);
             for (std::size_t k = 0; k < sums.size(); ++k)
                 looks[first + k].local[half] = luminance_sum(sums[k]);
             std::fill(sums.begin(), sums.end(), Rgb{});
+            for (RayPoint& s : senders)
+                s.first = half;
             front.start(*task_.scene, *task_.emission, *task_.images, senders);
             front.share_with(cache, counts, true);
-            front.add_gathering(directions, half);
+            front.add_gathering();
             front.run({sums, nullptr, {}, {}});
             for (std::size_t k = 0; k < sums.size(); ++k)
                 looks[first + k].gathered[half] = luminance_sum(sums[k]);
         }
         std::fill(sums.begin(), sums.end(), Rgb{});
+        for (RayPoint& s : senders)
+            s.samples = samples, s.first = 2;
         front.start(*task_.scene, *task_.emission, *task_.images, senders);
-        front.add_tracing(samples, 2);
+        front.add_tracing();
         front.run({sums, nullptr, {}, {}});
         for (std::size_t k = 0; k < sums.size(); ++k)
             looks[first + k].traced = luminance_sum(sums[k]);
@@ -138,6 +157,7 @@ PointVariance judge(std::span<const Look> looks) {
     v.model.paths = static_cast<double>(paths) * rest; // may be negative; the mean is not
     v.model.samples = static_cast<double>(samples) * variance_of(traced);
     v.model.direct = variance_of(direct);
+    v.model.look_rays = looks.front().look_rays;
     return v;
 }
 
@@ -152,25 +172,37 @@ void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
 /// In shares of the variance the tolerance allows, then mean over the points of a class.
 Pilot summarise(std::span<const PointVariance> points,
                 std::span<const PointClass> classes,
+                const ByClass<std::size_t>& all_points,
                 const PilotTarget& target) {
-    double mean = 0.0;
-    for (const PointVariance& p : points)
-        mean += p.value / static_cast<double>(points.size());
-    const double floor =
-        std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     Pilot pilot;
     for (const PointClass c : classes)
         ++pilot.points[static_cast<std::size_t>(c)];
+    double count = 0.0;
+    for (const std::size_t n : all_points)
+        count += static_cast<double>(n);
+    // so many points of the task stand behind one that was looked at
+    const auto weight = [&](std::size_t i) {
+        const auto c = static_cast<std::size_t>(classes[i]);
+        return static_cast<double>(all_points[c])
+               / (static_cast<double>(pilot.points[c]) * count);
+    };
+    double mean = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        mean += weight(i) * points[i].value;
+    const double floor =
+        std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto c = static_cast<std::size_t>(classes[i]);
+        pilot.of_class[c].look_rays +=
+            points[i].model.look_rays / static_cast<double>(pilot.points[c]);
         const double half = target.tolerance * std::max(points[i].value, floor);
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))
             continue;
-        const auto c = static_cast<std::size_t>(classes[i]);
         add(pilot.of_class[c],
             points[i].model,
             1.0 / (allowed * static_cast<double>(pilot.points[c])));
-        add(pilot.all, points[i].model, 1.0 / (allowed * static_cast<double>(points.size())));
+        add(pilot.all, points[i].model, weight(i) / allowed);
     }
     for (VarianceModel& m : pilot.of_class)
         m.paths = std::max(m.paths, 0.0);
@@ -181,7 +213,7 @@ Pilot summarise(std::span<const PointVariance> points,
 } // namespace
 
 Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
-    const std::vector<std::size_t> points = choose_points(task.receivers.size());
+    const std::vector<std::size_t> points = choose_points(task.classes);
     const std::size_t replicates = std::clamp(fewest_pilot_replicates * pilot_points
                                                   / std::max<std::size_t>(1, points.size()),
                                               fewest_pilot_replicates,
@@ -190,9 +222,12 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     double vertices = 1.0;
     for_each_index(points.size(), 4, [&](std::size_t p) {
         std::vector<double> values(replicates);
-        task.direct(points[p], first_replicate, values);
-        for (std::size_t r = 0; r < replicates; ++r)
-            looks[r * points.size() + p].direct = values[r];
+        const std::uint64_t rays = task.direct(points[p], first_replicate, values);
+        for (std::size_t r = 0; r < replicates; ++r) {
+            Look& look = looks[r * points.size() + p];
+            look.direct = values[r];
+            look.look_rays = static_cast<double>(rays) / static_cast<double>(replicates);
+        }
     });
     if (task.reflected && task.emission->total_flux() > 0.0) {
         // The counts of METHODS eq. (11) need the mean number of vertices: first replicate.
@@ -208,8 +243,8 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         const VertexCache first = build(most_pilot_replicates, EffectiveCounts{});
         vertices =
             std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
-        constexpr double m = paths, n2 = 2.0 * directions;
-        const EffectiveCounts counts{m, m * vertices, n2, n2, task.corner};
+        constexpr double m = paths;
+        const EffectiveCounts counts{m, m * vertices, 1.0, 1.0, task.corner};
         for_each_index(replicates, 1, [&](std::size_t r) {
             caches[r] = build(static_cast<std::uint32_t>(r), counts);
         });
@@ -235,7 +270,10 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         variances.push_back(judge(own));
         classes.push_back(task.classes[points[p]]);
     }
-    Pilot pilot = summarise(variances, classes, target);
+    ByClass<std::size_t> all_points{};
+    for (const PointClass c : task.classes)
+        ++all_points[static_cast<std::size_t>(c)];
+    Pilot pilot = summarise(variances, classes, all_points, target);
     pilot.vertices_per_path = vertices;
     return pilot;
 }

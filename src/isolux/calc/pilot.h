@@ -11,15 +11,6 @@
 
 namespace isolux {
 
-/// Points of a kind: what is efficient for one of them is so for the others.
-enum class PointClass : std::uint8_t {
-    open, ///< no second surface within half a metre
-    near, ///< one nearer than that, but no edge
-    edge  ///< one so near that corners are left out of the light paths, METHODS eq. (33)
-};
-
-inline constexpr std::size_t point_classes = 3;
-
 /// What the pilot may look at; everything outlives it.
 struct PilotScene {
     const Scene* scene = nullptr;
@@ -28,11 +19,14 @@ struct PilotScene {
     std::span<const Receiver> receivers;
     std::span<const Point3> clear; ///< where their rays start
     std::span<const PointClass> classes;
-    double corner = 0.0; ///< EffectiveCounts::corner of the points at edges
+    std::span<const std::uint8_t> leaves_corners; ///< METHODS eq. (33), with `corner`
+    double corner = 0.0;                          ///< EffectiveCounts::corner of these points
     std::uint64_t seed = 1;
     bool reflected = true; ///< false: direct light alone
     /// Direct light of a receiver for the replicates from `first` on, lx.
-    std::function<void(std::size_t receiver, std::uint32_t first, std::span<double>)> direct;
+    /// @return the shadow rays it took
+    std::function<std::uint64_t(std::size_t receiver, std::uint32_t first, std::span<double>)>
+        direct;
 };
 
 /// What a result has to reach.
@@ -50,14 +44,14 @@ inline constexpr std::size_t most_pilot_replicates = 16;
 inline constexpr std::size_t pilot_points = 64;
 inline constexpr std::size_t pilot_paths = 512; ///< per replicate
 
-/// What a few samples of up to 64 points say about the variance, METHODS eq. (61). They come
+/// What a few samples of some points say about the variance, METHODS eq. (61). They come
 /// from replicates of their own and are thrown away: what follows from them steers the work and
 /// biases nothing.
 struct Pilot {
     double vertices_per_path = 1.0;
-    std::array<VarianceModel, point_classes> of_class;
-    std::array<std::size_t, point_classes> points{}; ///< looked at
-    VarianceModel all;                               ///< mean over all points
+    ByClass<VarianceModel> of_class; ///< mean over its points; of all where none was seen
+    ByClass<std::size_t> points{};   ///< looked at
+    VarianceModel all;               ///< mean over all points of the task
 };
 
 [[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);

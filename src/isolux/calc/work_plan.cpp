@@ -39,14 +39,15 @@ void plan_tracing(WorkPlan& plan, const VarianceModel& model) {
 WorkPlan make_work_plan(const Settings& settings,
                         const Pilot& pilot,
                         const UnitCosts& costs,
-                        std::size_t points) {
+                        const ByClass<std::size_t>& points) {
+    const SharedTask task{points, pilot.of_class, costs};
     WorkPlan plan;
     if (settings.estimator == Estimator::path_tracing) {
         plan_tracing(plan, pilot.all);
     } else if (settings.fixed_units) {
-        plan.effort = balance_effort(pilot.all, costs, points, paths_for(points));
+        plan.effort = balance_effort(task, paths_for(task.all()));
     } else {
-        const EffortChoice choice = choose_effort(pilot.all, costs, points);
+        const EffortChoice choice = choose_effort(task);
         plan.effort = choice.effort;
         plan.units = choice.units;
     }
@@ -54,7 +55,9 @@ WorkPlan make_work_plan(const Settings& settings,
     double direct = 0.0;
     for (std::size_t c = 0; c < point_classes; ++c) {
         const VarianceModel& model = pilot.of_class[c];
-        const double shared = model.of(plan.effort) * costs.of(plan.effort, points);
+        const PointEffort& effort = plan.effort.at[c];
+        const double shared = model.of(plan.effort.paths, effort)
+                              * costs.of(plan.effort.paths, effort, task.all());
         if (pilot.points[c] == 0 || !(shared > 0.0))
             continue;
         plan.advantage[c] = model.samples * costs.sample / shared;

@@ -11,18 +11,18 @@ namespace isolux {
 struct WorkPlan {
     Effort effort;
     std::size_t units = 1; ///< before the first look
-    std::array<PointEstimator, point_classes> of_class{
+    ByClass<PointEstimator> of_class{
         PointEstimator::mis, PointEstimator::mis, PointEstimator::mis};
     /// Efficiency of LE-MIS over that of path tracing for the light that is not direct; 0 where
     /// no point of the class was looked at.
-    std::array<double, point_classes> advantage{};
+    ByClass<double> advantage{};
 };
 
-/// @param points  of the task
+/// @param points  of the task, by class
 [[nodiscard]] WorkPlan make_work_plan(const Settings& settings,
                                       const Pilot& pilot,
                                       const UnitCosts& costs,
-                                      std::size_t points);
+                                      const ByClass<std::size_t>& points);
 
 /// "open points: 30 times as efficient as path tracing", ... or nothing.
 [[nodiscard]] std::string describe_advantage(const WorkPlan& plan);

@@ -28,6 +28,9 @@ std::string format_value(const Verdict& v) {
                        decimals);
 }
 
+/// What rounding left of a zero.
+double without_dust(double cosine) { return std::abs(cosine) < 1e-12 ? 0.0 : cosine; }
+
 std::string unit_of(const Requirement& r) { return r.unit == "1" ? "" : " " + r.unit; }
 
 std::string format_limit(const Requirement& r) {
@@ -35,10 +38,55 @@ std::string format_limit(const Requirement& r) {
         "{} {:g}{}", r.sense == Sense::at_least ? ">=" : "<=", r.limit, unit_of(r));
 }
 
-/// How far inside the limit the value surely is; the value's own margin where nothing is sure.
+/// How far the value is from the limit, positive on the right side.
 std::string format_margin(const Verdict& v) {
-    const double margin = v.decision == Decision::undecided ? v.margin : v.least_margin;
-    return fmt::format("{:+.3g}{}", margin, unit_of(v.requirement));
+    return fmt::format("{:+.3g}{}", v.margin, unit_of(v.requirement));
+}
+
+/// What a reader wants to know first comes first.
+int rank_of(Decision d) {
+    switch (d) {
+    case Decision::fail:
+        return 0;
+    case Decision::undecided:
+        return 1;
+    case Decision::pass:
+        return 2;
+    case Decision::not_judged:
+        break;
+    }
+    return 3;
+}
+
+/// "verdict: fail (1 of 30 limits fails, 2 undecided, 4 not judged)"
+std::string to_headline(const std::vector<Verdict>& verdicts) {
+    const auto count = [&](Decision d) {
+        return std::ranges::count_if(verdicts,
+                                     [d](const Verdict& v) { return v.decision == d; });
+    };
+    std::string counts;
+    for (const Decision d :
+         {Decision::fail, Decision::undecided, Decision::pass, Decision::not_judged})
+        if (const auto n = count(d); n > 0)
+            counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", n, to_word(d));
+    return fmt::format("verdict: {} (limits: {})\n\n", to_word(overall(verdicts)), counts);
+}
+
+/// The rows behind the short names in the table.
+std::string to_row_list(const std::vector<Verdict>& verdicts) {
+    std::string text;
+    std::vector<std::string> known;
+    for (const Verdict& v : verdicts) {
+        const Requirement& r = v.requirement;
+        std::string line = fmt::format("row {}: {}", r.row, r.standard);
+        if (!r.task.empty())
+            line += ", " + r.task;
+        if (std::ranges::find(known, line) != known.end())
+            continue;
+        text += line + "\n";
+        known.push_back(std::move(line));
+    }
+    return text;
 }
 
 } // namespace
@@ -46,16 +94,18 @@ std::string format_margin(const Verdict& v) {
 std::string to_verdict_table(const Results& results) {
     if (results.verdicts.empty())
         return {};
+    std::vector<Verdict> verdicts = results.verdicts;
+    std::ranges::stable_sort(verdicts, {}, [](const Verdict& v) { return rank_of(v.decision); });
     TextTable table({{"verdict", Align::left},
                      {"what", Align::left},
                      {"where", Align::left},
                      {"value [interval]", Align::right},
                      {"limit", Align::right},
                      {"margin", Align::right},
-                     {"clause", Align::left},
-                     {"", Align::left}});
+                     {"row", Align::left},
+                     {"note", Align::left}});
     std::size_t recalled = 0;
-    for (const Verdict& v : results.verdicts) {
+    for (const Verdict& v : verdicts) {
         const Requirement& r = v.requirement;
         const bool is_judged = v.decision != Decision::not_judged;
         std::string remark = r.is_recommendation ? "recommendation" : "";
@@ -68,13 +118,13 @@ std::string to_verdict_table(const Results& results) {
                        is_judged ? format_value(v) : "",
                        format_limit(r),
                        is_judged ? format_margin(v) : "",
-                       fmt::format("{} row {}, {}", r.standard, r.row, r.clause),
+                       r.row,
                        remark});
     }
-    std::string text = table.text();
-    text += fmt::format("all requirements: {}; margins count from the unfavourable end of the "
-                        "interval\n",
-                        to_word(overall(results.verdicts)));
+    std::string text = to_headline(results.verdicts) + table.text()
+                       + to_row_list(results.verdicts)
+                       + "intervals of verdicts allow for every look at the errors on the way, so "
+                         "they are wider than those above; margin: from the value to the limit\n";
     if (recalled > 0)
         text += fmt::format("{} of {} limits are recalled, not compared with the printed "
                             "standard (`isolux standards` tells which)\n",
@@ -102,11 +152,11 @@ std::string to_observer_table(const Results& results) {
             cells[3] = format_estimate(o.ratings[*o.worst].value, results.confidence);
             cells[4] = fmt::format("{:.3g} {:.3g} {:.3g}", line.eye.x, line.eye.y, line.eye.z);
             cells[5] = fmt::format("{:.3g} {:.3g} {:.3g}",
-                                   line.direction.x(),
-                                   line.direction.y(),
-                                   line.direction.z());
+                                   without_dust(line.direction.x()),
+                                   without_dust(line.direction.y()),
+                                   without_dust(line.direction.z()));
             cells[6] = o.by_table ? fmt::format("{:.1f} by {}", *o.by_table, o.table_note)
-                                  : o.table_note;
+                                  : "no value by the table method: " + o.table_note;
         } else if (!o.ratings.empty()) {
             cells[6] = o.ratings.front().reason;
         }

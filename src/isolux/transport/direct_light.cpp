@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "isolux/base/check.h"
 #include "isolux/transport/direct_task.h"
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/opening_light.h"
@@ -118,9 +119,10 @@ void DirectLight::add_opening(const Task& task,
     const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, opening.luminaire);
     const Rgb colour = emission_->colour(opening.luminaire);
     const auto beta = static_cast<double>(opening.visible_share);
-    const std::uint32_t looks = opening.is_clear           ? 0
-                                : beta > 0.0 && beta < 1.0 ? shadowed_samples
-                                                           : 1;
+    const std::uint32_t looks = task.looks
+                                * (opening.is_clear           ? 0U
+                                   : beta > 0.0 && beta < 1.0 ? shadowed_samples
+                                                              : 1U);
     const std::size_t per_packet = packet_size / std::max(looks, 1U);
     const std::size_t replicates = ledger.total.size();
     RayPacket packet(scene_->caster);
@@ -153,11 +155,12 @@ void DirectLight::add_opening(const Task& task,
                 const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
                 const auto more = task.pair(opening.luminaire, replicate, 1);
                 double unshadowed = 0.0;
-                for (std::uint32_t i = 0; i < unshadowed_samples; ++i) {
-                    const auto [u, v] = more(task.unit * unshadowed_samples + i);
+                const std::uint32_t samples = task.looks * unshadowed_samples;
+                for (std::uint32_t i = 0; i < samples; ++i) {
+                    const auto [u, v] = more(task.unit * samples + i);
                     unshadowed += light.value(light.look(u, v));
                 }
-                e += beta * unshadowed / unshadowed_samples;
+                e += beta * unshadowed / samples;
             }
             if (e != 0.0)
                 ledger.add(r, opening.luminaire, e * colour);
@@ -189,7 +192,7 @@ void DirectLight::add_tail(const Task& task,
                                * emission_->colour(drawn[i].luminaire));
         packet.clear();
     };
-    const std::uint32_t draws = plan.tail_draws;
+    const std::uint32_t draws = task.looks * plan.tail_draws;
     const double step = plan.tail_bound / draws;
     for (std::size_t r = 0; r < ledger.total.size(); ++r) {
         const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
@@ -238,8 +241,9 @@ void DirectLight::add_images(const Task& task,
             for (std::size_t r = 0; r < ledger.total.size(); ++r) {
                 const auto numbers = task.pair(
                     l, task.first_replicate + static_cast<std::uint32_t>(r), 0, c + 1);
+                const std::uint32_t samples = task.looks * shadowed_samples;
                 double sum = 0.0;
-                for (std::uint32_t i = 0; i < shadowed_samples; ++i)
+                for (std::uint32_t i = 0; i < samples; ++i)
                     sum += image_light(*scene_,
                                        *emission_,
                                        *images_,
@@ -247,10 +251,10 @@ void DirectLight::add_images(const Task& task,
                                        task.receiver,
                                        task.clear,
                                        view,
-                                       numbers(task.unit * shadowed_samples + i),
+                                       numbers(task.unit * samples + i),
                                        rays);
                 if (sum > 0.0)
-                    ledger.add(r, l, (sum / shadowed_samples) * emission_->colour(l));
+                    ledger.add(r, l, (sum / samples) * emission_->colour(l));
             }
         }
     }
@@ -261,9 +265,11 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::uint64_t receiver_index,
                            std::uint64_t seed,
                            std::uint32_t unit,
+                           std::uint32_t looks,
                            std::uint32_t first_replicate,
                            const LightLedger& ledger,
                            std::uint64_t& rays) const {
+    ISOLUX_EXPECT(looks >= 1 && looks <= most_looks);
     const std::size_t replicates = ledger.total.size();
     for (Rgb& total : ledger.total)
         total += plan.known;
@@ -274,8 +280,13 @@ void DirectLight::estimate(const Receiver& receiver,
                     term.lux;
     if (emission_->total_flux() <= 0.0 || is_exact(plan))
         return;
-    const Task task{
-        receiver, clear_point(*scene_, receiver), seed, receiver_index, unit, first_replicate};
+    const Task task{receiver,
+                    clear_point(*scene_, receiver),
+                    seed,
+                    receiver_index,
+                    unit,
+                    first_replicate,
+                    looks};
     for (const DirectPlan::Opening& opening : plan.openings)
         add_opening(task, opening, ledger, rays);
     if (!plan.tail.empty())
@@ -298,6 +309,7 @@ void DirectLight::estimate(const Receiver& receiver,
              receiver_index,
              seed,
              unit,
+             1,
              first_replicate,
              {result, nullptr, {}, {}},
              rays);

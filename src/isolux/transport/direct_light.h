@@ -51,6 +51,8 @@ struct DirectPlan {
 /// negligible are drawn from the light tree instead of looked at one by one.
 class DirectLight {
 public:
+    static constexpr std::size_t most_looks = 4;
+
     DirectLight(const Scene& scene, const Emission& emission, const MirrorImages& images);
 
     /// @param keeps_terms  whether the known light is wanted by luminaire
@@ -65,11 +67,14 @@ public:
 
     /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate + number of
     /// totals), lx per channel: adds to the ledger, whose "points" are the replicates.
+    /// @param looks  multiplies the number of samples, 1 .. most_looks; with a larger one from
+    /// some unit on no number is drawn twice
     void estimate(const Receiver& receiver,
                   const DirectPlan& plan,
                   std::uint64_t receiver_index,
                   std::uint64_t seed,
                   std::uint32_t unit,
+                  std::uint32_t looks,
                   std::uint32_t first_replicate,
                   const LightLedger& ledger,
                   std::uint64_t& rays) const;

@@ -100,7 +100,7 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
     if (emission_->total_flux() <= 0.0)
         return plan;
     const Task task{
-        receiver, clear_point(*scene_, receiver), seed, receiver_index, 0, 0, keeps_terms};
+        receiver, clear_point(*scene_, receiver), seed, receiver_index, 0, 0, 1, keeps_terms};
     std::vector<std::uint32_t> points;
     for (const std::uint32_t l : choose(receiver, plan)) {
         if (is_point_like(l, task.clear))

@@ -19,6 +19,7 @@ struct DirectLight::Task {
     std::uint64_t receiver_index = 0;
     std::uint32_t unit = 0;
     std::uint32_t first_replicate = 0;
+    std::uint32_t looks = 1; ///< multiplies the numbers of samples
     bool keeps_terms = false;
 
     struct Pair {

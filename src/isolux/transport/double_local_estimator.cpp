@@ -32,14 +32,16 @@ Rgb DoubleLocalEstimator::reflected(const SeenSurface& seen,
                               rays);
     const RandomStream subset(key.seed, StreamPurpose::subset, key.replicate);
     const bool alone = by == ReflectedBy::local;
-    const LocalPoint point{
-        &receiver, clear_point(*scene_, receiver), subset.uniform(key.place, key.unit)};
+    const LocalPoint point{&receiver,
+                           clear_point(*scene_, receiver),
+                           subset.uniform(key.place, key.unit),
+                           effort.draws,
+                           static_cast<double>(effort.directions)};
     Rgb e;
     gather_local_estimates(*scene_,
                            cache,
                            {&point, 1},
                            alone ? Weighting::alone : Weighting::balanced,
-                           effort.draws,
                            scratch,
                            {&e, 1});
     rays += effort.draws;

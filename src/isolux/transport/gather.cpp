@@ -16,12 +16,12 @@ Rgb gather_indirect(const Scene& scene,
                     std::uint32_t first,
                     const PointRandomness& random,
                     std::uint64_t& rays) {
-    const RayPoint point{&receiver, clear_point(scene, receiver), random};
+    const RayPoint point{&receiver, clear_point(scene, receiver), random, directions, first};
     Rgb sum;
     WalkFront front;
     front.start(scene, emission, images, {&point, 1});
     front.share_with(cache, counts, part == GatherPart::balanced);
-    front.add_gathering(directions, first);
+    front.add_gathering();
     rays += front.run({{&sum, 1}, nullptr, {}, {}});
     return sum;
 }

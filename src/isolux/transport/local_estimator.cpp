@@ -40,7 +40,7 @@ void weigh_points(const VertexCache& cache,
     grow(s.column_sums, points.size() * blocks * columns);
     s.receivers.clear();
     for (const LocalPoint& p : points)
-        s.receivers.push_back(make_kernel_receiver(cache, *p.receiver, p.at));
+        s.receivers.push_back(make_kernel_receiver(cache, *p.receiver, p.at, p.rays));
     for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
         const IlluminanceKind kind = points[first].receiver->kind;
         while (last < points.size() && points[last].receiver->kind == kind)
@@ -153,26 +153,38 @@ private:
 /// cache", step 2. Draw k of all points stand together: they look the same way.
 void draw_vertices(const VertexCache& cache,
                    std::span<const LocalPoint> points,
-                   std::size_t draws,
                    LocalScratch& s) {
-    s.draws.assign(draws * points.size(), {});
-    s.segments.resize(draws * points.size());
+    // where the draws of every round begin; points that are done leave the round
+    std::size_t most = 0;
+    for (const LocalPoint& p : points)
+        most = std::max(most, p.draws);
+    s.rounds.assign(most + 1, 0);
+    for (const LocalPoint& p : points) {
+        ISOLUX_EXPECT(p.draws >= 1);
+        for (std::size_t k = 0; k < p.draws; ++k)
+            ++s.rounds[k + 1];
+    }
+    for (std::size_t k = 0; k < most; ++k)
+        s.rounds[k + 1] += s.rounds[k];
+    s.draws.assign(s.rounds[most], {});
+    s.segments.resize(s.rounds[most]);
     for (std::size_t p = 0; p < points.size(); ++p) {
         RunningSum sum(s, p, cache, s.block_sums);
         const bool is_lit = sum.total() > 0.0;
-        const double step = sum.total() / static_cast<double>(draws);
+        const double step = sum.total() / static_cast<double>(points[p].draws);
         const double share = step / static_cast<double>(cache.paths);
-        for (std::size_t k = 0; k < draws; ++k) {
-            LocalDraw& draw = s.draws[k * points.size() + p];
+        for (std::size_t k = 0; k < points[p].draws; ++k) {
+            const std::size_t place = s.rounds[k]++;
+            LocalDraw& draw = s.draws[place];
             draw.point = static_cast<std::uint32_t>(p);
-            s.segments[k * points.size() + p] = {points[p].at, points[p].at};
+            s.segments[place] = {points[p].at, points[p].at};
             if (!is_lit)
                 continue;
             const double target = (static_cast<double>(k) + points[p].offset) * step;
             draw.vertex = cache.vertex_at[sum.find(target)];
             const PathVertex& v = cache.vertices[draw.vertex];
             draw.light = (share / luminance_sum(v.radiant)) * v.radiant;
-            s.segments[k * points.size() + p].b = v.position;
+            s.segments[place].b = v.position;
         }
     }
 }
@@ -185,13 +197,15 @@ Point3 clear_point(const Scene& scene, const Receiver& receiver) noexcept {
     return scene.caster.offset_point(receiver.point, receiver.axis);
 }
 
-KernelReceiver
-make_kernel_receiver(const VertexCache& cache, const Receiver& r, const Point3& at) noexcept {
+KernelReceiver make_kernel_receiver(const VertexCache& cache,
+                                    const Receiver& r,
+                                    const Point3& at,
+                                    double rays) noexcept {
     const auto narrow = [](const Vector3& v) {
         return std::array<float, 3>{
             static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
     };
-    KernelReceiver k{narrow(at - cache.centre), narrow(r.axis), {}};
+    KernelReceiver k{narrow(at - cache.centre), narrow(r.axis), {}, static_cast<float>(rays)};
     if (r.kind == IlluminanceKind::semi_cylindrical) {
         const Vector3 across =
             Vector3(r.reference) - dot(r.reference, r.axis) * Vector3(r.axis);
@@ -205,16 +219,15 @@ std::span<const LocalDraw> gather_local_estimates(const Scene& scene,
                                                   const VertexCache& cache,
                                                   std::span<const LocalPoint> points,
                                                   Weighting weighting,
-                                                  std::size_t draws,
                                                   LocalScratch& scratch,
                                                   std::span<Rgb> result) {
-    ISOLUX_EXPECT(draws >= 1 && result.size() >= points.size());
+    ISOLUX_EXPECT(result.size() >= points.size());
     scratch.draws.clear();
     if (cache.empty() || points.empty())
         return {};
     weigh_points(cache, points, weighting, scratch);
     leave_corners(cache, points, cache.corner, scratch);
-    draw_vertices(cache, points, draws, scratch);
+    draw_vertices(cache, points, scratch);
 
     // Look at them, sixteen at a time.
     std::array<float, packet_size> visible{};

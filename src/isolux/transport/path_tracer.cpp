@@ -130,11 +130,11 @@ Rgb trace_indirect(const Scene& scene,
                    std::uint32_t first,
                    const PointRandomness& random,
                    std::uint64_t& rays) {
-    const RayPoint point{&receiver, clear_point(scene, receiver), random};
+    const RayPoint point{&receiver, clear_point(scene, receiver), random, samples, first};
     Rgb sum;
     WalkFront front;
     front.start(scene, emission, images, {&point, 1});
-    front.add_tracing(samples, first);
+    front.add_tracing();
     rays += front.run({{&sum, 1}, nullptr, {}, {}});
     return sum;
 }

@@ -13,8 +13,8 @@ struct EffectiveCounts {
     double paths = 1.0; ///< n1 for paths with one reflection (k = 2)
     double vertices =
         1.0; ///< n1 for longer paths (k >= 3): M times the pilot's mean chain length
-    double gather_first = 1.0; ///< n2 for k = 2
-    double gather_later = 1.0; ///< n2 for k >= 3
+    double gather_first = 1.0; ///< n2 for k = 2, of one of a point's gather rays
+    double gather_later = 1.0; ///< n2 for k >= 3, the same
     /// r of METHODS eq. (122), m: what a point next to an edge leaves to walks of its own. 0:
     /// nothing
     double corner = 0.0;

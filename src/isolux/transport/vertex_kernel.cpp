@@ -49,6 +49,7 @@ void weigh(const VertexBlock& b, const KernelReceiver& p, float* u, float* sums)
     const V px = hn::Set(d, p.at[0]), py = hn::Set(d, p.at[1]), pz = hn::Set(d, p.at[2]);
     const V ax = hn::Set(d, -p.axis[0]), ay = hn::Set(d, -p.axis[1]),
             az = hn::Set(d, -p.axis[2]);
+    const V rays = hn::Set(d, p.rays);
     const V zero = hn::Zero(d);
     const V least = hn::Set(d, least_distance_squared);
     for (std::size_t column = 0; column < VertexBlock::columns; column += hn::Lanes(d)) {
@@ -102,7 +103,8 @@ void weigh(const VertexBlock& b, const KernelReceiver& p, float* u, float* sums)
                 numerator = hn::Mul(response, cv);
             }
             if constexpr (weighting == Weighting::balanced)
-                denominator = hn::MulAdd(hn::Load(d, b.rival.data() + i), shared, denominator);
+                denominator = hn::MulAdd(
+                    hn::Load(d, b.rival.data() + i), hn::Mul(rays, shared), denominator);
             const V value =
                 hn::Div(hn::Mul(hn::Load(d, b.strength.data() + i), numerator), denominator);
             hn::StoreU(value, d, u + i);

@@ -27,7 +27,7 @@ struct alignas(64) VertexBlock {
     Values x{}, y{}, z{};    ///< m
     Values nx{}, ny{}, nz{}; ///< normal of the lit side
     Values strength{};       ///< alpha rho / pi, the Y-sum, lm/sr
-    Values rival{}; ///< n2 / (pi n1 p1), m2: how much the gather rays do, METHODS eq. (60)
+    Values rival{};          ///< n2 / (pi n1 p1) of one gather ray, m2: METHODS eq. (60)
 
     std::array<float, 3> lower{}; ///< box of the positions
     std::array<float, 3> upper{};
@@ -40,6 +40,7 @@ struct KernelReceiver {
     std::array<float, 3> at{};
     std::array<float, 3> axis{};
     std::array<float, 3> across{}; ///< semi-cylindrical: unit vector towards the reference
+    float rays = 1.0F;             ///< gather rays that the estimate shares its paths with
 };
 
 /// Unshadowed local estimate of every vertex at every receiver times its weight, METHODS eq.

@@ -46,33 +46,35 @@ void WalkFront::share_with(const VertexCache& cache,
     connects_ = connects;
 }
 
-void WalkFront::add_gathering(std::size_t samples, std::uint32_t first) {
-    add(samples, first, true);
-}
+void WalkFront::add_gathering() { add(true); }
 
-void WalkFront::add_tracing(std::size_t samples, std::uint32_t first) {
-    add(samples, first, false);
-}
+void WalkFront::add_tracing() { add(false); }
 
 /// Sample by sample over all points: neighbours' rays stand together.
-void WalkFront::add(std::size_t samples, std::uint32_t first, bool gathers) {
+void WalkFront::add(bool gathers) {
     if (emission_->total_flux() <= 0.0)
         return;
-    for (std::uint32_t s = first; s < first + samples; ++s)
+    std::size_t most = 0;
+    for (const RayPoint& p : points_)
+        most = std::max(most, p.samples);
+    for (std::uint32_t s = 0; s < most; ++s)
         for (std::uint32_t p = 0; p < points_.size(); ++p) {
+            const RayPoint& point = points_[p];
+            if (s >= point.samples)
+                continue;
             Walk walk;
-            walk.numbers = NumberSequence(points_[p].random, s);
+            walk.numbers = NumberSequence(point.random, point.first + s);
             const double u = walk.numbers.next();
-            const UnitVector3 w = sample_response(*points_[p].receiver, u, walk.numbers.next());
-            walk.pdf = pdf_response(*points_[p].receiver, w);
+            const UnitVector3 w = sample_response(*point.receiver, u, walk.numbers.next());
+            walk.pdf = pdf_response(*point.receiver, w);
             if (!(walk.pdf > 0.0))
                 continue;
             walk.point = p;
             walk.gathers = gathers;
-            walk.throughput = Rgb::grey(evaluate_response(*points_[p].receiver, w)
-                                        / (walk.pdf * static_cast<double>(samples)));
+            walk.throughput = Rgb::grey(evaluate_response(*point.receiver, w)
+                                        / (walk.pdf * static_cast<double>(point.samples)));
             current_.push_back(
-                {{points_[p].at, w, 1.0, 0.0, 0}, static_cast<std::uint32_t>(walks_.size())});
+                {{point.at, w, 1.0, 0.0, 0}, static_cast<std::uint32_t>(walks_.size())});
             walks_.push_back(walk);
         }
 }
@@ -151,7 +153,7 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
     connections_.add({event.sight,
                       (y.throughput / pi) * (walk.throughput * event.illuminance * y.diffuse),
                       counts_.paths * event.path_density,
-                      counts_.gather_first * p2,
+                      gathered(walk) * counts_.gather_first * p2,
                       walk.point,
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});
@@ -190,7 +192,7 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
                       (y.throughput * share * cos_v * cos_y / (d2 * pi))
                           * (walk.throughput * v.radiant * y.diffuse),
                       counts_.vertices * p1,
-                      counts_.gather_later * p2,
+                      gathered(walk) * counts_.gather_later * p2,
                       walk.point,
                       v.luminaire,
                       trail});

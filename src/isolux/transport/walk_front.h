@@ -15,6 +15,8 @@ struct RayPoint {
     const Receiver* receiver = nullptr;
     Point3 at; ///< clear_point of it
     PointRandomness random;
+    std::size_t samples = 1; ///< walks, each worth 1/samples: N2 or S
+    std::uint32_t first = 0; ///< number of the first of them in this replicate
     /// Whether light by two near surfaces is traced, METHODS eq. (122), beside gathering.
     bool leaves_corners = false;
 };
@@ -36,10 +38,9 @@ public:
     /// surfaces they meet straight; otherwise only what they meet by mirrors counts
     void share_with(const VertexCache& cache, const EffectiveCounts& counts, bool connects);
 
-    /// Adds `samples` walks for every point, each worth 1 / samples.
-    /// @param first  number of the first sample of this replicate
-    void add_gathering(std::size_t samples, std::uint32_t first);
-    void add_tracing(std::size_t samples, std::uint32_t first);
+    /// Adds the walks of every point.
+    void add_gathering();
+    void add_tracing();
 
     /// Walks them all to their ends. Light straight from luminaires, or by the mirrors that the
     /// images cover, is not included. @return rays traced
@@ -67,7 +68,7 @@ private:
         std::uint32_t walk = 0;
     };
 
-    void add(std::size_t samples, std::uint32_t first, bool gathers);
+    void add(bool gathers);
     void trace(std::span<const Ray> rays, const LightLedger& ledger);
     void arrive(const Ray& ray, const SurfaceHit& hit);
     void gather_at(Walk& walk, const Meeting& y);
@@ -75,6 +76,12 @@ private:
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
     void offer(Walk& walk, const Meeting& y, bool into_corner);
+
+    /// N2 of the walk's point.
+    [[nodiscard]] double gathered(const Walk& walk) const noexcept {
+        return static_cast<double>(points_[walk.point].samples);
+    }
+
     [[nodiscard]] bool is_in_corner(const Point3& from, const Meeting& y) const noexcept;
     void send_on(std::uint32_t walk);
     [[nodiscard]] std::uint32_t reflected_by(MaterialId material, std::uint32_t before);

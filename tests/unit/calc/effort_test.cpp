@@ -15,27 +15,41 @@ constexpr UnitCosts costs{.path = 600.0,
                           .draw = 60.0,
                           .direction = 400.0,
                           .sample = 1000.0,
+                          .look = 60.0,
                           .point = 150.0};
 
+/// So many points, all open.
+SharedTask open_task(const VarianceModel& model, std::size_t points) {
+    return {{points, 0, 0}, {model, {}, {}}, costs};
+}
+
+double variance_of(const VarianceModel& model, const Effort& e) {
+    return model.of(e.paths, e.at[0]) + model.of_direct(e.at[0]);
+}
+
 double cost_of(const EffortChoice& c, std::size_t points) {
-    return static_cast<double>(c.units) * costs.of(c.effort, points);
+    return static_cast<double>(c.units) * costs.of(c.effort.paths, c.effort.at[0], points);
 }
 
 TEST(Effort, ReachesWhatIsAllowed) {
     const VarianceModel model{.paths = 3000.0, .draws = 20.0, .directions = 2.0, .direct = 0.5};
-    const EffortChoice c = choose_effort(model, costs, 300);
-    EXPECT_LE((model.of(c.effort) + model.direct) / static_cast<double>(c.units), 0.7);
+    const EffortChoice c = choose_effort(open_task(model, 300));
+    EXPECT_LE(variance_of(model, c.effort) / static_cast<double>(c.units), 0.7);
 }
 
 TEST(Effort, StaysWithinItsBoundsAndPowersOfTwo) {
     for (const double scale : {0.0, 1e-3, 1.0, 1e3, 1e9}) {
-        const VarianceModel model{
-            .paths = 1e3 * scale, .draws = 10.0 * scale, .directions = scale, .direct = 0.0};
-        const EffortChoice c = choose_effort(model, costs, 100);
+        const VarianceModel model{.paths = 1e3 * scale,
+                                  .draws = 10.0 * scale,
+                                  .directions = scale,
+                                  .direct = scale,
+                                  .look_rays = 4.0};
+        const EffortChoice c = choose_effort(open_task(model, 100));
         for (const auto& [value, least, most] :
              {std::tuple{c.effort.paths, fewest_paths, most_paths},
-              std::tuple{c.effort.draws, fewest_draws, most_draws},
-              std::tuple{c.effort.directions, std::size_t{1}, most_directions},
+              std::tuple{c.effort.at[0].draws, fewest_draws, most_draws},
+              std::tuple{c.effort.at[0].directions, std::size_t{1}, most_directions},
+              std::tuple{c.effort.at[0].looks, std::size_t{1}, std::size_t{4}},
               std::tuple{c.units, std::size_t{1}, most_units}}) {
             EXPECT_TRUE(std::has_single_bit(value));
             EXPECT_GE(value, least);
@@ -45,27 +59,41 @@ TEST(Effort, StaysWithinItsBoundsAndPowersOfTwo) {
 }
 
 TEST(Effort, IsLeastWhereNothingIsAskedFor) {
-    const EffortChoice c = choose_effort({}, costs, 100);
+    const EffortChoice c = choose_effort(open_task({}, 100));
     EXPECT_EQ(c.effort.paths, fewest_paths);
-    EXPECT_EQ(c.effort.draws, fewest_draws);
-    EXPECT_EQ(c.effort.directions, 1U);
+    EXPECT_EQ(c.effort.at[0].draws, fewest_draws);
+    EXPECT_EQ(c.effort.at[0].directions, 1U);
+    EXPECT_EQ(c.effort.at[0].looks, 1U);
     EXPECT_EQ(c.units, 1U);
+}
+
+TEST(Effort, IsMoreWhereTheNoiseIs) {
+    const VarianceModel calm{.paths = 2000.0, .draws = 2.0, .directions = 0.1, .look_rays = 30.0};
+    VarianceModel noisy = calm;
+    noisy.draws = 200.0;
+    noisy.directions = 50.0;
+    noisy.direct = 5.0;
+    noisy.look_rays = 30.0;
+    const EffortChoice c = choose_effort({{200, 0, 20}, {calm, {}, noisy}, costs});
+    EXPECT_GT(c.effort.at[2].draws, c.effort.at[0].draws);
+    EXPECT_GT(c.effort.at[2].directions, c.effort.at[0].directions);
+    EXPECT_GT(c.effort.at[2].looks, c.effort.at[0].looks);
 }
 
 TEST(Effort, WalksMorePathsWhereMorePointsShareThem) {
     const VarianceModel model{.paths = 2000.0, .draws = 10.0, .directions = 1.0};
-    const EffortChoice few = choose_effort(model, costs, 10);
-    const EffortChoice many = choose_effort(model, costs, 10000);
+    const EffortChoice few = choose_effort(open_task(model, 10));
+    const EffortChoice many = choose_effort(open_task(model, 10000));
     EXPECT_GT(many.effort.paths * many.units, few.effort.paths * few.units);
 }
 
 TEST(Effort, CostsNoMoreThanItsNeighbours) {
     const VarianceModel model{.paths = 5000.0, .draws = 40.0, .directions = 3.0, .direct = 0.1};
-    const EffortChoice best = choose_effort(model, costs, 300);
+    const EffortChoice best = choose_effort(open_task(model, 300));
     for (const std::size_t factor : {1U, 4U}) {
         EffortChoice other = best;
         other.effort.paths = other.effort.paths * factor / 2;
-        while ((model.of(other.effort) + model.direct) / static_cast<double>(other.units) > 0.7)
+        while (variance_of(model, other.effort) / static_cast<double>(other.units) > 0.7)
             other.units *= 2;
         EXPECT_GE(cost_of(other, 300), cost_of(best, 300));
     }
@@ -77,7 +105,7 @@ TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
     pilot.all = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
     pilot.of_class[0] = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
     pilot.of_class[1] = {.paths = 1e6, .draws = 4.0, .directions = 1.0, .samples = 1.0};
-    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, 60);
+    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, {30, 30, 0});
     EXPECT_EQ(plan.of_class[0], PointEstimator::mis);
     EXPECT_EQ(plan.of_class[1], PointEstimator::path_tracing);
     EXPECT_GT(plan.advantage[0], 1.0);
@@ -91,7 +119,7 @@ TEST(WorkPlan, LeavesTheEstimatorToTheUserWhoNamesOne) {
     pilot.of_class[1] = {.paths = 1e6, .draws = 4.0, .directions = 1.0, .samples = 1.0};
     Settings settings;
     settings.estimator = Estimator::local_estimation_mis;
-    const WorkPlan plan = make_work_plan(settings, pilot, costs, 60);
+    const WorkPlan plan = make_work_plan(settings, pilot, costs, {30, 30, 0});
     EXPECT_EQ(plan.of_class[1], PointEstimator::mis);
 }
 

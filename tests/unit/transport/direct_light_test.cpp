@@ -177,7 +177,7 @@ TEST(DirectLight, IsTheSumOverItsLuminaires) {
     EXPECT_FALSE(plan.tail.empty());
     std::vector<Rgb> total(replicates);
     std::vector<double> by_source(7 * replicates, 0.0);
-    direct.estimate(receiver, plan, 0, 1, 0, 0, {total, &layout, by_source, {}}, rays);
+    direct.estimate(receiver, plan, 0, 1, 0, 1, 0, {total, &layout, by_source, {}}, rays);
     for (std::size_t r = 0; r < replicates; ++r) {
         double sum = 0.0;
         for (std::size_t s = 0; s < 7; ++s)

@@ -56,10 +56,10 @@ TEST(LocalEstimator, IsTheSumOverAllVerticesWhereAllAreVisible) {
     const std::vector<Receiver> receivers = make_receivers();
     std::vector<LocalPoint> points;
     for (const Receiver& r : receivers)
-        points.push_back({&r, clear_point(room(), r), 0.4});
+        points.push_back({&r, clear_point(room(), r), 0.4, 4});
     LocalScratch scratch;
     std::vector<Rgb> result(points.size());
-    gather_local_estimates(room(), cache, points, Weighting::alone, 4, scratch, result);
+    gather_local_estimates(room(), cache, points, Weighting::alone, scratch, result);
     for (std::size_t p = 0; p < points.size(); ++p) {
         const double e = sum_over_vertices(cache, receivers[p], points[p].at);
         EXPECT_NEAR(luminance_sum(result[p]), e, 1e-4 * e) << p; // single precision
@@ -73,10 +73,10 @@ TEST(LocalEstimator, DrawsVerticesInProportionToTheirLight) {
     std::vector<double> drawn(cache.size(), 0.0);
     constexpr int offsets = 4096;
     for (int k = 0; k < offsets; ++k) {
-        const LocalPoint point{&r, clear_point(room(), r), (k + 0.5) / offsets};
+        const LocalPoint point{&r, clear_point(room(), r), (k + 0.5) / offsets, 2};
         Rgb result;
         for (const LocalDraw& d : gather_local_estimates(
-                 room(), cache, {&point, 1}, Weighting::alone, 2, scratch, {&result, 1}))
+                 room(), cache, {&point, 1}, Weighting::alone, scratch, {&result, 1}))
             drawn[d.vertex] += 0.5 / offsets;
     }
     std::vector<double> light;
@@ -99,27 +99,26 @@ TEST(LocalEstimator, GivesAPointTheSameLightInAnyCompany) {
     const std::vector<Receiver> receivers = make_receivers();
     std::vector<LocalPoint> points;
     for (const Receiver& r : receivers)
-        points.push_back({&r, clear_point(room(), r), 0.7});
+        points.push_back({&r, clear_point(room(), r), 0.7, 16 + points.size(), 3.0});
     LocalScratch scratch;
     std::vector<Rgb> together(points.size());
-    gather_local_estimates(room(), cache, points, Weighting::balanced, 16, scratch, together);
+    gather_local_estimates(room(), cache, points, Weighting::balanced, scratch, together);
     for (std::size_t p = 0; p < points.size(); ++p) {
         Rgb alone;
         gather_local_estimates(
-            room(), cache, {&points[p], 1}, Weighting::balanced, 16, scratch, {&alone, 1});
+            room(), cache, {&points[p], 1}, Weighting::balanced, scratch, {&alone, 1});
         EXPECT_EQ(alone, together[p]) << p;
     }
 }
 
 TEST(LocalEstimator, GivesNothingWithoutVertices) {
     const Receiver r = make_receivers().front();
-    const LocalPoint point{&r, r.point, 0.5};
+    const LocalPoint point{&r, r.point, 0.5, 8};
     LocalScratch scratch;
     Rgb result;
-    EXPECT_TRUE(
-        gather_local_estimates(
-            room(), VertexCache{}, {&point, 1}, Weighting::alone, 8, scratch, {&result, 1})
-            .empty());
+    EXPECT_TRUE(gather_local_estimates(
+                    room(), VertexCache{}, {&point, 1}, Weighting::alone, scratch, {&result, 1})
+                    .empty());
     EXPECT_EQ(result, Rgb{});
 }
 

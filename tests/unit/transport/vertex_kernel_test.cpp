@@ -55,7 +55,8 @@ KernelReceiver to_kernel(const Receiver& r) {
 }
 
 /// METHODS eq. (5), (9), (10) straight from their definitions, in double.
-double expected(const VertexBlock& b, std::size_t i, const Receiver& r, Weighting weighting) {
+double expected(
+    const VertexBlock& b, std::size_t i, const Receiver& r, float rays, Weighting weighting) {
     const Vector3 d = Point3{b.x[i], b.y[i], b.z[i]} - r.point;
     const UnitVector3 w(d);
     const double cos_vertex = std::max(0.0, -dot(Vector3{b.nx[i], b.ny[i], b.nz[i]}, w));
@@ -63,8 +64,8 @@ double expected(const VertexBlock& b, std::size_t i, const Receiver& r, Weightin
     const double value = b.strength[i] * evaluate_response(r, w) * solid;
     if (weighting == Weighting::alone)
         return value;
-    // rival = n2 / (pi n1 p1)
-    const double gather = std::numbers::pi * b.rival[i] * pdf_response(r, w) * solid;
+    // rival = n2 / (pi n1 p1) of one gather ray
+    const double gather = std::numbers::pi * rays * b.rival[i] * pdf_response(r, w) * solid;
     return value / (1.0 + gather);
 }
 
@@ -83,6 +84,7 @@ TEST_P(VertexKernel, AgreesWithTheDefinitionInDoublePrecision) {
     for (std::size_t r = 0; r < receivers; ++r) {
         exact.push_back(make_receiver(kind, r));
         points.push_back(to_kernel(exact.back()));
+        points.back().rays = static_cast<float>(1 + 3 * r);
     }
     std::vector<float> u(receivers * blocks.size() * VertexBlock::size, -1.0F);
     std::vector<float> sums(receivers * blocks.size() * VertexBlock::columns, -1.0F);
@@ -92,7 +94,7 @@ TEST_P(VertexKernel, AgreesWithTheDefinitionInDoublePrecision) {
             const std::size_t place = r * blocks.size() + b;
             std::vector<double> columns(VertexBlock::columns, 0.0);
             for (std::size_t i = 0; i < blocks[b].rows * VertexBlock::columns; ++i) {
-                const double e = expected(blocks[b], i, exact[r], weighting);
+                const double e = expected(blocks[b], i, exact[r], points[r].rays, weighting);
                 // Single precision: the cosines lose up to 1e-6 of a unit.
                 ASSERT_NEAR(u[place * VertexBlock::size + i], e, 1e-5 * e + 2e-6) << i;
                 columns[i % VertexBlock::columns] += e;
