@@ -31,7 +31,7 @@ TEST(CheckVerb, ListsWhatIsOdd) {
             "luminaires": [{"type": "bulb", "position": [3, 2, 2]}]})");
     const Ran ran = run_program({"check", project});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
-    EXPECT_NE(ran.out.find("notice: " + project + "#: no maintenance factor is given"),
+    EXPECT_NE(ran.out.find("notice: " + project + ":1: no maintenance factor is given"),
               std::string::npos)
         << ran.out;
     EXPECT_NE(ran.out.find("no errors, 1 notice\n"), std::string::npos) << ran.out;
@@ -47,8 +47,8 @@ TEST(CheckVerb, ListsEveryError) {
     const Ran ran = run_program({"check", project});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_EQ(ran.out, "");
-    EXPECT_NE(ran.err.find("error: " + project + "#/rooms/0"), std::string::npos) << ran.err;
-    EXPECT_NE(ran.err.find("error: " + project + "#/luminaire_types/bulb"), std::string::npos)
+    EXPECT_NE(ran.err.find("error: " + project + ":1: #/rooms/0"), std::string::npos) << ran.err;
+    EXPECT_NE(ran.err.find("error: " + project + ":2: #/luminaire_types/bulb"), std::string::npos)
         << ran.err;
 }
 

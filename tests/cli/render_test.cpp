@@ -123,7 +123,7 @@ TEST_F(RenderVerb, SaysThatAProjectHasNoViews) {
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_EQ(ran.err,
               "error: " + bare
-                  + "#/views: the project has no views (nothing says where to look from). Add "
+                  + ":1: the project has no views (nothing says where to look from). Add "
                     "\"views\": [{\"name\": \"door\", \"position\": [x, y, z], \"target\": [x, "
                     "y, z]}]?\n");
 }

@@ -146,8 +146,8 @@ TEST_F(RunVerb, PrintsEveryErrorOfAProjectOnALineOfItsOwn) {
     const Ran ran = run_program({"run", broken, "-o", results_});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_EQ(ran.out, "");
-    EXPECT_TRUE(contains(ran.err, "error: " + broken + "#/rooms/0/height")) << ran.err;
-    EXPECT_TRUE(contains(ran.err, "\nerror: " + broken + "#/luminaire")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "error: " + broken + ":1: #/rooms/0/height")) << ran.err;
+    EXPECT_TRUE(contains(ran.err, "\nerror: " + broken + ":1: #/luminaire")) << ran.err;
     EXPECT_FALSE(std::filesystem::exists(results_));
 }
 

@@ -7,7 +7,7 @@
 namespace isolux {
 
 /// One thing to tell the user: `place: problem (why it is one). Suggestion?`
-/// The place is `file:line:column` for text and `file#/json/pointer` for meaning.
+/// The place is `file:line:column` for text and `file:line: #/json/pointer` for meaning.
 struct Message {
     std::string where;
     std::string what;

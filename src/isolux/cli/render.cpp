@@ -80,7 +80,7 @@ RenderSettings to_settings(const RenderOptions& options) {
 
 std::vector<View> wanted_views(const RenderOptions& options, const Project& project) {
     if (project.views.empty())
-        throw InputError(project.file.file + "#/views",
+        throw InputError(project.file.file + ":1",
                          "the project has no views (nothing says where to look from)",
                          R"(Add "views": [{"name": "door", "position": [x, y, z], "target": )"
                          R"([x, y, z]}]?)");

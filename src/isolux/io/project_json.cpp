@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "isolux/io/json_lines.h"
 #include "isolux/io/project_observers.h"
 #include "isolux/io/project_reader.h"
 #include "isolux/io/schema_check.h"
@@ -170,7 +171,7 @@ void read_everything(const JsonObject& object, ProjectReader& reader) {
         reader.problems.notice("", "no calculation surface (nothing is measured)");
 }
 
-[[noreturn]] void throw_all(const Problems& problems) {
+[[noreturn]] void throw_all(const Problems& problems, std::string_view text) {
     constexpr std::size_t most_messages = 200;
     std::vector<Message> messages = problems.errors();
     if (messages.size() > most_messages) {
@@ -180,6 +181,7 @@ void read_everything(const JsonObject& object, ProjectReader& reader) {
                             fmt::format("{} more problems (only the first are listed)", more),
                             {}});
     }
+    add_lines(messages, problems.file(), text);
     throw InputError(std::move(messages));
 }
 
@@ -219,9 +221,10 @@ Project parse_project(std::string_view text, const std::filesystem::path& path) 
                                "does not match the schema (" + finding.reason + ")");
     }
     if (!problems.errors().empty())
-        throw_all(problems);
+        throw_all(problems, text);
     reader.project.scene.materials = reader.materials.materials();
     reader.project.notices = problems.notices();
+    add_lines(reader.project.notices, file, text);
     return std::move(reader.project);
 }
 

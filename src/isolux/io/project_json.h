@@ -12,7 +12,7 @@ namespace isolux {
 /// in the file are relative to its folder. What was assumed on the way is in
 /// Project::notices.
 /// @throws InputError  with every problem found: `file:line:column` for what is no JSON,
-/// `file#/json/pointer` for the rest
+/// `file:line: #/json/pointer` for the rest
 [[nodiscard]] Project read_project(const std::filesystem::path& path);
 
 /// The same from the text of the file. @param path  names the file in messages and says where

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "isolux/io/json_lines.h"
 #include "isolux/io/json_node.h"
 #include "isolux/io/schema.h"
 #include "isolux/io/suggest.h"
@@ -190,8 +191,11 @@ Standard parse_standard(std::string_view text, std::string_view source) {
         if (problems.errors().empty())
             check_names(object, s);
     }
-    if (!problems.errors().empty())
-        throw InputError(problems.errors());
+    if (!problems.errors().empty()) {
+        std::vector<Message> messages = problems.errors();
+        add_lines(messages, problems.file(), text);
+        throw InputError(std::move(messages));
+    }
     return s;
 }
 

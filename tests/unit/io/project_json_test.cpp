@@ -54,7 +54,7 @@ TEST(ReadProject, TenLinesAreEnough) {
     EXPECT_EQ(project.settings.tolerance, 0.01);
     EXPECT_EQ(project.settings.confidence, 0.95);
     EXPECT_THAT(notices_of(project),
-                ElementsAre("rooms/small.json#: no maintenance factor is given (1 is used: the "
+                ElementsAre("rooms/small.json:1: no maintenance factor is given (1 is used: the "
                             "results are initial values). Set \"maintenance_factor\"?"));
 }
 
@@ -119,7 +119,7 @@ TEST(ReadProject, SaysWhereJsonEnds) {
 }
 
 TEST(ReadProject, RefusesWhatIsNoProject) {
-    EXPECT_EQ(errors_of("[1, 2]"), "#: a project is an object {...} (found a list)");
+    EXPECT_EQ(errors_of("[1, 2]"), ":1: a project is an object {...} (found a list)");
     EXPECT_EQ(errors_of(std::string(200, '[') + std::string(200, ']')),
               ": nested more than 100 levels deep (no key needs that)");
     EXPECT_EQ(errors_of("{\"name\": \"" + std::string(20'000, 'x') + "\"}"),
@@ -176,7 +176,7 @@ TEST(ReadProject, TellsWhichFileIsMissingAndWhichIsNear) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_EQ(error.what(),
-                  path + "#/luminaire_types/panel/file: cannot find \""
+                  path + ":2: #/luminaire_types/panel/file: cannot find \""
                       + (folder.path() / "downligt.ies").generic_string()
                       + "\" (no such file). Did you mean \"downlight.ies\"?");
     }
@@ -200,7 +200,7 @@ TEST(ReadProject, PassesOnWhatTheFilesReadersSay) {
         const std::string at = folder.path().generic_string() + "/";
         EXPECT_THAT(all, HasSubstr(at + "a.ies"));
         EXPECT_THAT(all, HasSubstr(at + "a.obj:1"));
-        EXPECT_THAT(all, HasSubstr("p.json#/objects/1/mesh: the mesh has no faces"));
+        EXPECT_THAT(all, HasSubstr("p.json:5: #/objects/1/mesh: the mesh has no faces"));
         EXPECT_THAT(all, HasSubstr(at + "a.pts:2: 2 numbers (a point is x y z or x y z nx"));
         EXPECT_THAT(all, HasSubstr(at + "a.pts:3: \"x\" is not a number"));
     }

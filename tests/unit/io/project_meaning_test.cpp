@@ -58,7 +58,7 @@ TEST(ProjectLuminaires, OutsideAnLShapedRoomAreLeftOutOfAField) {
     ASSERT_EQ(project.notices.size(), 1U);
     EXPECT_EQ(
         to_string(project.notices[0]),
-        "p.json#/luminaires/0/field: 1 of 4 luminaires fall outside room \"room\" or into "
+        "p.json:3: #/luminaires/0/field: 1 of 4 luminaires fall outside room \"room\" or into "
         "a column (they are left out)");
 }
 

@@ -65,13 +65,13 @@ TEST(Observers, OutdoorsNeedTheGround) {
                 HasSubstr("the key \"ground\" is missing"));
     EXPECT_THAT(complaint("observers",
                           R"([{"position": [1, 1, 1.5], "rating": "GR", "ground": "gras"}])"),
-                HasSubstr("p.json#/observers/0/ground: unknown surface \"gras\""));
+                HasSubstr("p.json:5: #/observers/0/ground: unknown surface \"gras\""));
 }
 
 TEST(Observers, ComplainAboutWhatIsWrong) {
     EXPECT_THAT(complaint("observers", R"([{"direction": 0}])"), HasSubstr("needs one of"));
     EXPECT_THAT(complaint("observers", R"([{"position": [1, 1, 1.2], "direction": [0, 0]}])"),
-                HasSubstr("p.json#/observers/0/direction: the vector has no length"));
+                HasSubstr("p.json:5: #/observers/0/direction: the vector has no length"));
     EXPECT_THAT(
         complaint(
             "observers",
@@ -103,7 +103,7 @@ TEST(Energy, TakesRoomsLuminairesAndTheFirstWorkPlane) {
     EXPECT_EQ(p.energy_use->occupancy, 0.9);
     EXPECT_EQ(p.energy_use->day_hours, 2250.0);
     EXPECT_THAT(complaint("energy", R"({"occupancy": 9})"),
-                HasSubstr("p.json#/energy/occupancy"));
+                HasSubstr("p.json:1: #/energy/occupancy"));
 }
 
 TEST(Energy, ReadsPowerAndColourRenderingOfAType) {
@@ -148,7 +148,7 @@ TEST(Scenes, SetLevelsOfGroupsTypesAndLuminaires) {
 TEST(Scenes, ComplainAboutNamesAndLightThatIsNotThere) {
     EXPECT_THAT(
         scene_complaint(R"([{"name": "a", "levels": {"windw": 1}}])"),
-        HasSubstr("p.json#/scenes/0/levels/windw: unknown luminaires \"windw\" (no group, "
+        HasSubstr("p.json:9: #/scenes/0/levels/windw: unknown luminaires \"windw\" (no group, "
                   "type or luminaire has this name). Did you mean \"window\"?"));
     EXPECT_THAT(scene_complaint(R"([{"name": "a", "levels": {"dark": 1}}])"),
                 HasSubstr("\"dark\" is off in the project (there is no light to scale)"));

@@ -141,13 +141,13 @@ TEST(Requirements, ReadAStandardOfTheUsersOwn) {
 
 TEST(Requirements, ComplainAboutWhatDoesNotExist) {
     EXPECT_THAT(complaint(R"([{"standard": "EN 12464-3", "row": "34.2"}])"),
-                HasSubstr("p.json#/requirements/0/standard: unknown standard \"EN 12464-3\""));
+                HasSubstr("p.json:5: #/requirements/0/standard: unknown standard \"EN 12464-3\""));
     EXPECT_THAT(complaint(R"([{"standard": "EN 12464-1:2021", "row": "34.22"}])"),
-                HasSubstr("p.json#/requirements/0/row: EN 12464-1:2021 has no row \"34.22\" "
+                HasSubstr("p.json:5: #/requirements/0/row: EN 12464-1:2021 has no row \"34.22\" "
                           "(nothing to judge by). Did you mean"));
     EXPECT_THAT(
         complaint(R"([{"standard": "EN 12464-1:2021", "row": "34.2", "area": "desc"}])", desk),
-        HasSubstr("p.json#/requirements/0/area: unknown surface \"desc\" (surfaces has no "
+        HasSubstr("p.json:5: #/requirements/0/area: unknown surface \"desc\" (surfaces has no "
                   "such name). Did you mean \"desk\"?"));
     EXPECT_THAT(
         complaint(R"([{"standard": "EN 12464-1:2021", "row": "34.2", "area": "desk",
@@ -196,7 +196,7 @@ TEST(MaintenanceFactor, ComplainsAboutAPartAboveOne) {
             small_project({{"maintenance_factor", R"({"LLMF": 1.1})"}}), "p.json"));
         ADD_FAILURE() << "no complaint";
     } catch (const InputError& e) {
-        EXPECT_THAT(e.what(), HasSubstr("p.json#/maintenance_factor/LLMF"));
+        EXPECT_THAT(e.what(), HasSubstr("p.json:4: #/maintenance_factor/LLMF"));
     }
 }
 

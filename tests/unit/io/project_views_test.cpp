@@ -66,7 +66,7 @@ TEST(ViewReader, NoticesAFocusWithoutALens) {
         R"([{"name": "a", "position": [1, 1, 1], "target": [2, 2, 1], "focus_distance": 2}])");
     ASSERT_EQ(p.notices.size(), 1u);
     EXPECT_EQ(to_string(p.notices[0]),
-              "p.json#/views/0/focus_distance: a pinhole shows everything sharp (the focus "
+              "p.json:6: #/views/0/focus_distance: a pinhole shows everything sharp (the focus "
               "distance does nothing). Give \"aperture\" or \"f_number\" too?");
 }
 

@@ -93,17 +93,17 @@ TEST(StandardJson, MarksWhatIsRecalled) {
 TEST(StandardJson, ComplainsAboutWordsAndNamesItDoesNotKnow) {
     EXPECT_EQ(complaint(tiny("", "")), "");
     EXPECT_THAT(complaint(tiny(R"(, "with": "Em")", "")),
-                HasSubstr("t.json#/columns/0: \"with\" and \"limit\" go together"));
+                HasSubstr("t.json:2: #/columns/0: \"with\" and \"limit\" go together"));
     EXPECT_THAT(
         complaint(tiny(R"(, "raises": "Ez")", "")),
-        HasSubstr("t.json#/columns/0: unknown column \"Ez\" (the file has no such one)"));
+        HasSubstr("t.json:2: #/columns/0: unknown column \"Ez\" (the file has no such one)"));
     EXPECT_THAT(complaint(tiny("", R"(, "sources": {"Em": "kk"})")),
-                HasSubstr("t.json#/rows/0: unknown source \"kk\""));
+                HasSubstr("t.json:4: #/rows/0: unknown source \"kk\""));
     std::string text = tiny("", "");
     text.replace(text.find("illuminance"), 11, "iluminance");
     EXPECT_THAT(
         complaint(text),
-        HasSubstr("t.json#/columns/0/quantity: unknown quantity \"iluminance\" (nothing "
+        HasSubstr("t.json:2: #/columns/0/quantity: unknown quantity \"iluminance\" (nothing "
                   "like it can be judged). Did you mean \"illuminance\"?"));
     EXPECT_THAT(complaint(R"({"isolux_standard": 2, "name": "T"})"),
                 HasSubstr("this version of the format is not known"));
@@ -114,7 +114,7 @@ TEST(StandardJson, ComplainsAboutARowThatStandsTwice) {
     const std::size_t row = text.find("{\"id\"");
     const std::string copy = text.substr(row, text.rfind(']') - row);
     text.insert(text.rfind(']'), "," + copy);
-    EXPECT_THAT(complaint(text), HasSubstr("t.json#/rows/1: the row \"a\" stands twice"));
+    EXPECT_THAT(complaint(text), HasSubstr("t.json:4: #/rows/1: the row \"a\" stands twice"));
 }
 
 } // namespace
