@@ -24,12 +24,16 @@ double power_of_two_above(double x, std::size_t least, std::size_t most) {
 
 constexpr std::size_t most_looks = DirectLight::most_looks;
 
-/// The power of two in [least, most] for which a/n + price n is least.
-std::size_t best_count(double a, double price, std::size_t least, std::size_t most) {
+/// The power of two in [least, most] for which a/n^power + price n is least.
+std::size_t
+best_count(double a, double price, std::size_t least, std::size_t most, double power = 1.0) {
+    const auto total = [&](std::size_t n) {
+        const auto x = static_cast<double>(n);
+        return a / std::pow(x, power) + price * x;
+    };
     std::size_t best = least;
     for (std::size_t n = 2 * least; n <= most; n *= 2)
-        if (a / static_cast<double>(n) + price * static_cast<double>(n)
-            < a / static_cast<double>(best) + price * static_cast<double>(best))
+        if (total(n) < total(best))
             best = n;
     return best;
 }
@@ -50,7 +54,7 @@ Outcome outcome_of(const SharedTask& task, const Effort& effort) {
         sum.variance += share * (model.of(effort.paths, e) + model.of_direct(e));
         sum.cost += share
                     * (task.costs.of(effort.paths, e, points)
-                       + task.costs.look * model.look_rays * static_cast<double>(e.looks));
+                       + task.costs.look * model.look_samples * static_cast<double>(e.looks));
     }
     return sum;
 }
@@ -73,9 +77,10 @@ Effort best_effort(const SharedTask& task, std::size_t paths, Cost&& total_cost)
                            1,
                            most_directions),
                 best_count(task.models[c].direct,
-                           price * task.costs.look * task.models[c].look_rays,
+                           price * task.costs.look * task.models[c].look_samples,
                            1,
-                           most_looks)};
+                           most_looks,
+                           2.0)};
         const double cost = total_cost(outcome_of(task, effort));
         if (least == 0.0 || cost < least) {
             least = cost;
@@ -97,7 +102,8 @@ double VarianceModel::of(std::size_t m, const PointEffort& e) const noexcept {
 }
 
 double VarianceModel::of_direct(const PointEffort& e) const noexcept {
-    return direct / static_cast<double>(e.looks);
+    const auto looks = static_cast<double>(e.looks);
+    return direct / (looks * looks);
 }
 
 double UnitCosts::of(std::size_t m, const PointEffort& e, std::size_t points) const noexcept {

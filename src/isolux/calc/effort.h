@@ -11,12 +11,13 @@ namespace isolux {
 
 /// Points of a kind: what is efficient for one of them is so for the others.
 enum class PointClass : std::uint8_t {
-    open, ///< no second surface within half a metre
-    near, ///< one nearer than that, but no edge
-    edge  ///< one within a hand's breadth
+    open,  ///< no second surface within half a metre
+    near,  ///< one nearer than that
+    close, ///< than a quarter of a metre
+    edge   ///< than a hand's breadth
 };
 
-inline constexpr std::size_t point_classes = 3;
+inline constexpr std::size_t point_classes = 4;
 
 template <class T> using ByClass = std::array<T, point_classes>;
 
@@ -46,7 +47,7 @@ inline constexpr std::size_t most_directions = 128;
 inline constexpr std::size_t most_units = 256; ///< before the first look
 
 /// Variance of the mean of all replicates after one unit, METHODS eq. (61):
-/// paths/M + draws/K + directions/N2 + direct/L, or samples/S + direct/L where a point is
+/// paths/M + draws/K + directions/N2 + direct/L^2, or samples/S + direct/L^2 where a point is
 /// traced;
 /// in shares of what the tolerance allows, so that 1 is good enough.
 struct VarianceModel {
@@ -56,7 +57,7 @@ struct VarianceModel {
     double direct = 0.0;
     double samples = 0.0;
 
-    double look_rays = 0.0; ///< shadow rays of one unit of direct light
+    double look_samples = 0.0; ///< of one unit of direct light
 
     /// Of LE-MIS with M paths, without the direct part.
     [[nodiscard]] double of(std::size_t m, const PointEffort& e) const noexcept;
@@ -72,7 +73,7 @@ struct UnitCosts {
     double draw = 0.0;      ///< of one shadow ray
     double direction = 0.0; ///< of one gather ray and its two connections
     double sample = 0.0;    ///< of one traced path
-    double look = 0.0;      ///< of one shadow ray of direct light
+    double look = 0.0;      ///< of one sample of direct light
     double point = 0.0;     ///< of a point's unit whatever it holds
 
     /// Of LE-MIS, one unit and one point among `points` that share the M light paths, without

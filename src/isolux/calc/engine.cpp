@@ -15,10 +15,11 @@ namespace {
 
 /// METHODS eq. (33): nearer to the second surface than this times sqrt(A / M) a point leaves
 /// corners to walks of its own.
-constexpr double edge_factor = 1.6;
+constexpr double edge_factor = 0.8;
 
-/// Points this near to a second surface are a class of their own, m.
+/// Points nearer to a second surface than these are classes of their own, m.
 constexpr double edge_of_class = 0.1;
+constexpr double close_to_class = 0.25;
 
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
@@ -113,9 +114,10 @@ void Engine::find_surroundings() {
             scene_->caster.find_nearest_surfaces(receiver.point, widest_edge);
         near_surface_[i] = d.second < too_near ? 1 : 0;
         second_[i] = static_cast<float>(d.second);
-        classes_[i] = d.second < edge_of_class ? PointClass::edge
-                      : d.second < widest_edge ? PointClass::near
-                                               : PointClass::open;
+        classes_[i] = d.second < edge_of_class    ? PointClass::edge
+                      : d.second < close_to_class ? PointClass::close
+                      : d.second < widest_edge    ? PointClass::near
+                                                  : PointClass::open;
         receiver.point = moved_off(receiver, d);
         clear_[i] = clear_point(*scene_, receiver);
     });
@@ -147,11 +149,10 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
                         settings_.seed,
                         !settings_.direct_only,
                         [&](std::size_t i, std::uint32_t first, std::span<double> values) {
-                            RayCounts rays;
-                            plan_direct(i, rays);
-                            rays = {};
-                            estimate_direct(i, 0, first, values, rays);
-                            return rays.shadow;
+                            RayCounts unused;
+                            plan_direct(i, unused);
+                            estimate_direct(i, 0, first, values, unused);
+                            return direct_.samples_of(plans_[i]);
                         }},
                        target);
     costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path);

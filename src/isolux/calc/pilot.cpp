@@ -30,7 +30,7 @@ struct Look {
     Pair gathered{};
     double traced = 0.0;
     double direct = 0.0;
-    double look_rays = 0.0; ///< that it took
+    double look_samples = 0.0; ///< that it took
 };
 
 /// A class is looked at so often, however rare it is.
@@ -157,7 +157,7 @@ PointVariance judge(std::span<const Look> looks) {
     v.model.paths = static_cast<double>(paths) * rest; // may be negative; the mean is not
     v.model.samples = static_cast<double>(samples) * variance_of(traced);
     v.model.direct = variance_of(direct);
-    v.model.look_rays = looks.front().look_rays;
+    v.model.look_samples = looks.front().look_samples;
     return v;
 }
 
@@ -193,8 +193,8 @@ Pilot summarise(std::span<const PointVariance> points,
         std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto c = static_cast<std::size_t>(classes[i]);
-        pilot.of_class[c].look_rays +=
-            points[i].model.look_rays / static_cast<double>(pilot.points[c]);
+        pilot.of_class[c].look_samples +=
+            points[i].model.look_samples / static_cast<double>(pilot.points[c]);
         const double half = target.tolerance * std::max(points[i].value, floor);
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))
@@ -222,11 +222,11 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     double vertices = 1.0;
     for_each_index(points.size(), 4, [&](std::size_t p) {
         std::vector<double> values(replicates);
-        const std::uint64_t rays = task.direct(points[p], first_replicate, values);
+        const double samples_taken = task.direct(points[p], first_replicate, values);
         for (std::size_t r = 0; r < replicates; ++r) {
             Look& look = looks[r * points.size() + p];
             look.direct = values[r];
-            look.look_rays = static_cast<double>(rays) / static_cast<double>(replicates);
+            look.look_samples = samples_taken;
         }
     });
     if (task.reflected && task.emission->total_flux() > 0.0) {

@@ -24,9 +24,8 @@ struct PilotScene {
     std::uint64_t seed = 1;
     bool reflected = true; ///< false: direct light alone
     /// Direct light of a receiver for the replicates from `first` on, lx.
-    /// @return the shadow rays it took
-    std::function<std::uint64_t(std::size_t receiver, std::uint32_t first, std::span<double>)>
-        direct;
+    /// @return samples it took of each of them
+    std::function<double(std::size_t receiver, std::uint32_t first, std::span<double>)> direct;
 };
 
 /// What a result has to reach.

@@ -82,7 +82,7 @@ WorkPlan make_work_plan(const Settings& settings,
 
 std::string describe_advantage(const WorkPlan& plan) {
     constexpr std::array<const char*, point_classes> names{
-        "open points", "points near surfaces", "points next to edges"};
+        "open points", "points near surfaces", "points close to surfaces", "points at edges"};
     std::string text;
     for (std::size_t c = 0; c < point_classes; ++c)
         if (plan.advantage[c] > 0.0)

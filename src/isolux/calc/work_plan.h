@@ -12,7 +12,7 @@ struct WorkPlan {
     Effort effort;
     std::size_t units = 1; ///< before the first look
     ByClass<PointEstimator> of_class{
-        PointEstimator::mis, PointEstimator::mis, PointEstimator::mis};
+        PointEstimator::mis, PointEstimator::mis, PointEstimator::mis, PointEstimator::mis};
     /// Efficiency of LE-MIS over that of path tracing for the light that is not direct; 0 where
     /// no point of the class was looked at.
     ByClass<double> advantage{};

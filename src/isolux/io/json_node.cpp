@@ -78,14 +78,25 @@ JsonNode JsonNode::member(std::string_view key, const JsonValue& value) const {
     return {value, pointer_ + pointer_step(key), *problems_};
 }
 
+std::optional<double> percentage_in(std::string_view text) {
+    double value = 0.0;
+    const auto [rest, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+    std::string_view unit = text.substr(static_cast<std::size_t>(rest - text.data()));
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+    return failed == std::errc() && unit == "%" ? std::optional(value / 100.0) : std::nullopt;
+}
+
 std::optional<double> read_number(const JsonNode& node, const NumberRange& range) {
     if (!node.is(JsonValue::Kind::number)) {
         double value = 0.0;
         const std::string& text = node.value().text;
         const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
         const bool is_quoted = parsed.ec == std::errc();
-        node.error(fmt::format("a number is expected here ({})", found(node)),
-                   is_quoted ? fmt::format("Write {} without quotes?", value) : std::string());
+        std::string hint = is_quoted ? fmt::format("Write {} without quotes?", value) : "";
+        if (const std::optional<double> share = percentage_in(text);
+            share && range.unit.empty())
+            hint = fmt::format("Write {:.4g} for {:.4g} %?", *share, 100.0 * *share);
+        node.error(fmt::format("a number is expected here ({})", found(node)), hint);
         return std::nullopt;
     }
     const double value = node.value().number;
@@ -131,7 +142,10 @@ std::optional<bool> read_boolean(const JsonNode& node) {
 
 std::optional<std::string> read_text(const JsonNode& node, std::size_t longest) {
     if (!node.is(JsonValue::Kind::text)) {
-        node.error(fmt::format("text is expected here ({})", found(node)));
+        node.error(fmt::format("text is expected here ({})", found(node)),
+                   node.is(JsonValue::Kind::number)
+                       ? fmt::format("Write \"{}\" in quotes?", node.value().number)
+                       : std::string());
         return std::nullopt;
     }
     const std::string& text = node.value().text;

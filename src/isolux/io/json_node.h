@@ -90,6 +90,9 @@ inline constexpr NumberRange any_share{0.0, 1.0};
 inline constexpr NumberRange any_factor{-furthest, furthest}; ///< 0 is for the caller to refuse
 inline constexpr NumberRange any_flux{0.0, 1e12, true, " lm"};
 
+/// The share that a text such as "80%" means: 0.8.
+[[nodiscard]] std::optional<double> percentage_in(std::string_view text);
+
 // Each of these reports what is wrong and returns nothing then.
 [[nodiscard]] std::optional<double> read_number(const JsonNode& node, const NumberRange& range);
 [[nodiscard]] std::optional<double> read_length(const JsonNode& node); ///< above 0, m

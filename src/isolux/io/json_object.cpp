@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -13,6 +14,32 @@ namespace {
 
 std::string found(const JsonNode& node) {
     return fmt::format("found {}", kind_in_words(node.value()));
+}
+
+/// Other words that people write, and ours.
+constexpr std::array<std::array<std::string_view, 2>, 14> other_words{{
+    {"angle", "rotation"},
+    {"dim", "dimming"},
+    {"elevation", "floor_level"},
+    {"fov", "field_of_view"},
+    {"lumen", "flux"},
+    {"lumens", "flux"},
+    {"luminous_flux", "flux"},
+    {"length", "size"},
+    {"mounting_height", "height"},
+    {"rotate", "rotation"},
+    {"rotated", "rotation"},
+    {"dimensions", "size"},
+    {"reflectivity", "reflectance"},
+    {"look_at", "target"},
+}};
+
+/// The one of our keys that another word stands for; empty: none of them.
+std::string usual_word(std::string_view key, const std::vector<std::string>& known) {
+    for (const auto& [theirs, ours] : other_words)
+        if (key == theirs && std::find(known.begin(), known.end(), ours) != known.end())
+            return std::string(ours);
+    return {};
 }
 
 } // namespace
@@ -32,6 +59,8 @@ JsonObject::JsonObject(JsonNode node,
             || (is_known != nullptr && is_known(member.key)))
             continue;
         std::string hint = did_you_mean(member.key, known);
+        if (const std::string word = usual_word(member.key, known); !word.empty())
+            hint = fmt::format("Did you mean \"{}\"?", word);
         const std::string why = hint.empty() ? enumerate(known, "and") : std::string();
         node_.member(member.key, member.value)
             .error(why.empty() ? fmt::format(

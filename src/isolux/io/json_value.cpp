@@ -173,6 +173,8 @@ std::string hint_for(std::string_view text, std::size_t offset) {
     const char last = i > 0 ? text[i - 1] : '\0';
     if ((here == '}' || here == ']') && last == ',')
         return "Remove the comma before it?";
+    if (here == ',' && (last == ',' || last == '[' || last == '{'))
+        return last == ',' ? "Remove one of the two commas?" : "Remove the comma?";
     const bool starts_value = here == '"' || here == '{' || here == '[';
     const bool ended_value = last == '"' || last == '}' || last == ']'
                              || std::isalnum(static_cast<unsigned char>(last)) != 0;

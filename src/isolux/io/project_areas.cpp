@@ -80,7 +80,11 @@ std::optional<SurfaceArea> read_floor_or_ceiling(const JsonNode& node,
 std::optional<SurfaceArea> read_wall(const JsonNode& node, const ProjectReader& reader) {
     const JsonObject object(node, "a wall", {"room", "number", "edge"});
     const Room* room = reader.find_room(object);
-    const std::optional<std::int64_t> number = object.require("number", read_wall_number);
+    const std::optional<std::int64_t> number =
+        object.require("number", [&](const JsonNode& wall) {
+            return read_wall_number(wall,
+                                    room != nullptr ? room->footprint : std::vector<Point2>{});
+        });
     const double edge = object.number("edge", any_distance, 0.0);
     if (room == nullptr || !number)
         return std::nullopt;

@@ -63,8 +63,14 @@ std::optional<GridCounts> choose_counts(const GridWish& wish, double width, doub
                        <= most_grid_points
                    ? wish.counts
                    : std::nullopt;
-    if (!wish.spacing)
-        return make_standard_grid(Metre(width), Metre(height), wish.rounding);
+    if (!wish.spacing) {
+        const GridCounts counts =
+            make_standard_grid(Metre(width), Metre(height), wish.rounding);
+        return static_cast<double>(counts.columns) * static_cast<double>(counts.rows)
+                       <= most_grid_points
+                   ? std::optional(counts)
+                   : std::nullopt;
+    }
     constexpr double rounding = 1e-9;
     const double columns = std::max(1.0, std::ceil(width / wish.spacing->x * (1.0 - rounding)));
     const double rows = std::max(1.0, std::ceil(height / wish.spacing->y * (1.0 - rounding)));

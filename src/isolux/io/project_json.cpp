@@ -71,8 +71,36 @@ bool ProjectReader::has_wrong_room() const noexcept {
         rooms.begin(), rooms.end(), [](const RoomEntry& room) { return !room.index; });
 }
 
-std::optional<std::int64_t> read_wall_number(const JsonNode& node) {
-    return read_integer(node, 1, 1'000'000);
+namespace {
+
+std::string in_words(const Point2& p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
+
+/// Which wall has which number.
+std::string walls_in_words(const std::vector<Point2>& footprint) {
+    constexpr std::size_t most_walls = 8;
+    if (footprint.size() < 3 || footprint.size() > most_walls)
+        return "Wall 1 runs from the footprint's first corner to its second, and so on";
+    std::string words = fmt::format(
+        "Wall 1 runs from {} to {}, ", in_words(footprint[0]), in_words(footprint[1]));
+    for (std::size_t i = 1; i < footprint.size(); ++i) {
+        const bool is_last = i + 1 == footprint.size();
+        words += fmt::format("{}wall {} {} {}",
+                             i == 1 ? "" : ", ",
+                             i + 1,
+                             is_last ? "back to" : "on to",
+                             in_words(footprint[is_last ? 0 : i + 1]));
+    }
+    return words;
+}
+
+} // namespace
+
+std::optional<std::int64_t> read_wall_number(const JsonNode& node,
+                                             const std::vector<Point2>& footprint) {
+    if (!node.is(JsonValue::Kind::text))
+        return read_integer(node, 1, 1'000'000);
+    node.error("the number of a wall is expected here (found text)", walls_in_words(footprint));
+    return std::nullopt;
 }
 
 std::optional<double> read_distance(const JsonNode& node) {

@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "isolux/io/outline.h"
 #include "isolux/io/project_spots.h"
 #include "isolux/io/suggest.h"
+#include "isolux/scene/scene_space.h"
 
 namespace isolux {
 
@@ -65,7 +68,7 @@ Frame make_frame(const Spot& spot, const Orientation& o, bool turned) {
     return turned ? Frame{frame.origin, -frame.y, frame.x, frame.z} : frame;
 }
 
-/// A hint for a luminaire that hangs outside: often only the height is wrong.
+/// A hint for a luminaire that hangs outside: often only the height is wrong, or the unit.
 std::string hint_for_outside(const Point3& p, const std::vector<Room>& rooms) {
     for (const Room& room : rooms)
         if (is_inside({p.x, p.y}, room.footprint))
@@ -73,23 +76,54 @@ std::string hint_for_outside(const Point3& p, const std::vector<Room>& rooms) {
                                room.name,
                                room.floor_level,
                                room.floor_level + room.height);
-    return {};
+    constexpr double far = 100.0; // m
+    std::string hint;
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > far)
+        hint = "Is it in metres? ";
+    return hint + extents_in_words(rooms);
 }
 
-/// Reports a luminaire outside every room and an aim without a direction; false for the latter.
-bool check_spot(const JsonNode& node,
-                const Spot& spot,
-                const Orientation& orientation,
-                const ProjectReader& reader) {
+/// Reports the luminaires of an entry that are outside every room, once for each key that put
+/// them there.
+void check_inside(const std::vector<Spot>& spots, const ProjectReader& reader) {
     const std::vector<Room>& rooms = reader.project.scene.rooms;
-    const auto has_spot = [&](const Room& room) { return contains(room, spot.position); };
-    if (!reader.rooms.empty() && !reader.has_wrong_room()
-        && std::none_of(rooms.begin(), rooms.end(), has_spot))
-        reader.problems.error(spot.pointer,
-                              fmt::format("the luminaire at {} is outside every room (no wall "
-                                          "would reflect its light)",
-                                          in_words(spot.position)),
-                              hint_for_outside(spot.position, rooms));
+    if (reader.rooms.empty() || reader.has_wrong_room())
+        return;
+    const auto is_outside = [&](const Spot& spot) {
+        return std::none_of(rooms.begin(), rooms.end(), [&](const Room& room) {
+            return contains(room, spot.position);
+        });
+    };
+    for (auto spot = spots.begin(); spot != spots.end();) {
+        const auto end = std::find_if(
+            spot, spots.end(), [&](const Spot& s) { return s.pointer != spot->pointer; });
+        const auto outside = std::count_if(spot, end, is_outside);
+        const auto first = std::find_if(spot, end, is_outside);
+        if (outside == 1)
+            reader.problems.error(first->pointer,
+                                  fmt::format("the luminaire at {} is outside every room (no "
+                                              "wall would reflect its light)",
+                                              in_words(first->position)),
+                                  hint_for_outside(first->position, rooms));
+        else if (outside > 1)
+            reader.problems.error(
+                first->pointer,
+                fmt::format("{} luminaires are outside every room, the first at {} (no wall "
+                            "would reflect their light)",
+                            outside == end - spot
+                                ? fmt::format("all {}", outside)
+                                : fmt::format("{} of {}", outside, end - spot),
+                            in_words(first->position)),
+                hint_for_outside(first->position, rooms));
+        spot = end;
+    }
+}
+
+/// Reports an aim without a direction.
+bool check_aim(const JsonNode& node,
+               const Spot& spot,
+               const Orientation& orientation,
+               const ProjectReader& reader) {
     if (!orientation.aim || *orientation.aim != spot.position)
         return true;
     reader.problems.error(node.pointer() + "/aim",
@@ -130,8 +164,9 @@ void read_luminaire(const JsonNode& node, ProjectReader& reader) {
     if (orientation.aim && turns)
         node.error(
             "\"outwards\" does not go with \"aim\" (both say where the luminaires look)");
+    check_inside(spots, reader);
     for (const Spot& spot : spots) {
-        if (!check_spot(node, spot, orientation, reader) || type == nullptr || !type->id)
+        if (!check_aim(node, spot, orientation, reader) || type == nullptr || !type->id)
             continue;
         reader.project.scene.luminaires.push_back(
             {name,
@@ -140,6 +175,14 @@ void read_luminaire(const JsonNode& node, ProjectReader& reader) {
              dimming * type->scale,
              group});
     }
+}
+
+/// What the members of a wrong entry say, whatever they are called: one of them may be the name
+/// that others mean.
+void note_texts(const JsonNode& entry, std::set<std::string>& names) {
+    for (const JsonMember& member : entry.value().members)
+        if (member.value.kind == JsonValue::Kind::text)
+            names.insert(member.value.text);
 }
 
 /// Luminaires that share a name get numbers.
@@ -160,8 +203,14 @@ void number_names(std::vector<LuminairePlacement>& luminaires) {
 void read_luminaires(const JsonNode& node, ProjectReader& reader) {
     const std::vector<JsonNode> nodes = read_list(node, 1);
     const std::size_t errors = reader.problems.errors().size();
-    for (const JsonNode& item : nodes)
+    for (const JsonNode& item : nodes) {
+        const std::size_t errors_before = reader.problems.errors().size();
+        const std::size_t placed_before = reader.project.scene.luminaires.size();
         read_luminaire(item, reader);
+        if (reader.problems.errors().size() > errors_before
+            || reader.project.scene.luminaires.size() == placed_before)
+            note_texts(item, reader.lost_names);
+    }
     std::vector<LuminairePlacement>& luminaires = reader.project.scene.luminaires;
     number_names(luminaires);
     const bool all_off =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -116,11 +117,17 @@ std::optional<Material> MaterialTable::material_named(const JsonNode& node) {
         return *everyday;
     if (is_absorber(*name))
         return Material{*name, black, Sides::both};
-    node.error(
-        fmt::format("unknown material \"{}\" (neither one of the project nor an everyday "
-                    "one)",
-                    *name),
-        did_you_mean(*name, known_names()));
+    std::string hint = did_you_mean(*name, known_names());
+    if (const std::optional<double> share = percentage_in(*name))
+        hint = fmt::format("Write {:.4g} for {:.4g} %?", *share, 100.0 * *share);
+    else if (double value = 0.0;
+             std::from_chars(name->data(), name->data() + name->size(), value).ptr
+             == name->data() + name->size())
+        hint = fmt::format("Write {} without quotes?", value);
+    node.error(fmt::format("unknown material \"{}\" (neither one of the project nor an "
+                           "everyday one)",
+                           *name),
+               hint);
     return std::nullopt;
 }
 

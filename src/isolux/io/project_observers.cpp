@@ -117,7 +117,7 @@ void read_ground(const JsonObject& object, ProjectReader& reader, ObserverGroup&
         if (names.back() == *name)
             group.ground = s;
     }
-    if (!group.ground)
+    if (!group.ground && !reader.lost_names.contains(*name))
         node->error(fmt::format("unknown surface \"{}\" (surfaces has no such name)", *name),
                     did_you_mean(*name, names));
 }

@@ -65,7 +65,8 @@ void read_opening(const JsonNode& node, ProjectReader& reader, Room& room) {
         {"name", "wall", "offset", "sill", "width", "height", "state", "material"});
     WallOpening opening;
     opening.name = object.text("name", fmt::format("opening {}", room.openings.size() + 1));
-    const std::optional<std::int64_t> number = object.require("wall", read_wall_number);
+    const std::optional<std::int64_t> number = object.require(
+        "wall", [&](const JsonNode& wall) { return read_wall_number(wall, room.footprint); });
     const std::optional<double> offset = object.require("offset", read_distance);
     const std::optional<double> width = object.require("width", read_length);
     const std::optional<double> height = object.require("height", read_length);

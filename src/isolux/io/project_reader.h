@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ struct ProjectReader {
     MaterialTable materials;
     std::vector<RoomEntry> rooms;
     std::map<std::string, LuminaireTypeEntry> luminaire_types;
+    /// Names in entries that are wrong: no follow-on errors about these.
+    std::set<std::string> lost_names;
     MaintenanceFactor maintenance;
     bool states_maintenance = false; ///< somewhere in the file
 
@@ -82,7 +85,9 @@ void read_views(const JsonNode& node, ProjectReader& reader);
 void add_default_surfaces(ProjectReader& reader);
 
 /// From 1; whether the room has so many is for the caller to see.
-[[nodiscard]] std::optional<std::int64_t> read_wall_number(const JsonNode& node);
+/// @param footprint  of the room, to tell which wall has which number; empty: not known
+[[nodiscard]] std::optional<std::int64_t>
+read_wall_number(const JsonNode& node, const std::vector<Point2>& footprint);
 
 // Short forms; nothing means the error has been reported.
 [[nodiscard]] std::optional<double> read_distance(const JsonNode& node); ///< 0 or more, m

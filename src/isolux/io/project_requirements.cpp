@@ -10,6 +10,7 @@
 #include "isolux/io/project_reader.h"
 #include "isolux/io/standard_json.h"
 #include "isolux/io/suggest.h"
+#include "isolux/io/words.h"
 
 namespace isolux {
 
@@ -62,10 +63,14 @@ private:
         const auto begins = [&](const Standard& s) { return s.name.starts_with(*name + ":"); };
         if (std::ranges::count_if(standards, begins) == 1)
             return &*std::ranges::find_if(standards, begins); // the year may be left out
-        node->error(fmt::format("unknown standard \"{}\" (isolux and \"standards\" have no "
-                                "such one)",
-                                *name),
-                    did_you_mean(*name, names));
+        const auto is_longer = [&](const Standard& s) { return s.name.starts_with(*name); };
+        const auto longer = std::ranges::find_if(standards, is_longer);
+        node->error(fmt::format("unknown standard \"{}\" (known are {})",
+                                *name,
+                                enumerate(names, "and")),
+                    longer != standards.end() ? fmt::format(
+                        "Did you mean \"{}\"?", longer->name.substr(0, longer->name.find(':')))
+                                              : did_you_mean(*name, names));
         return nullptr;
     }
 
@@ -80,9 +85,13 @@ private:
         for (const StandardRow& r : standard.rows)
             ids.push_back(r.id);
         const std::string near = did_you_mean(*id, ids);
-        node->error(
-            fmt::format("{} has no row \"{}\" (nothing to judge by)", standard.name, *id),
-            near.empty() ? "`isolux standards WORD` finds rows" : near);
+        const std::string remedy = "`isolux standards WORD` finds rows";
+        node->error(fmt::format("{} has no row \"{}\" (rows are numbered as in this edition, "
+                                "\"{}\" for example)",
+                                standard.name,
+                                *id,
+                                ids.empty() ? "" : ids.front()),
+                    near.empty() ? remedy : near + " " + remedy);
         return nullptr;
     }
 

@@ -122,6 +122,39 @@ read_room_name(const JsonObject& object, const ProjectReader& reader, bool is_on
     return name;
 }
 
+/// "6 m x 4 m, 3 m high"
+std::string size_in_words(const Rectangle2& bounds, double height) {
+    return fmt::format(
+        "{:.6g} m x {:.6g} m, {:.6g} m high", bounds.width(), bounds.depth(), height);
+}
+
+/// Reports a room of a size that only another unit explains. @return false: it is an error
+bool check_size(const JsonObject& object, const Room& room) {
+    constexpr double longest = 1000.0; // m
+    constexpr double highest = 100.0;
+    constexpr double unusual_height = 30.0;
+    const Rectangle2 bounds = bounding_rectangle(room.footprint);
+    const double side = std::max(bounds.width(), bounds.depth());
+    const char* unit = side > longest ? "millimetres" : "centimetres";
+    if (side > longest || room.height > highest) {
+        object.node().error(fmt::format("the room is {} (at most {} m x {} m, {} m high)",
+                                        size_in_words(bounds, room.height),
+                                        longest,
+                                        longest,
+                                        highest),
+                            fmt::format("Are these {}? isolux takes metres", unit));
+        return false;
+    }
+    if (room.height > unusual_height)
+        object.find("height")
+            .value_or(object.node())
+            .notice(fmt::format("the room is {} (higher than {} m)",
+                                size_in_words(bounds, room.height),
+                                unusual_height),
+                    "Are these centimetres? isolux takes metres");
+    return true;
+}
+
 std::optional<Room> read_room(const JsonObject& object, ProjectReader& reader) {
     Room room;
     const std::optional<std::vector<Point2>> footprint = read_footprint(object);
@@ -134,6 +167,8 @@ std::optional<Room> read_room(const JsonObject& object, ProjectReader& reader) {
         return std::nullopt;
     room.footprint = *footprint;
     room.height = *height;
+    if (!check_size(object, room))
+        return std::nullopt;
     read_finishes(object, reader, room);
     if (const std::optional<JsonNode> openings = object.find("openings"))
         for (const JsonNode& opening : read_list(*openings))

@@ -51,14 +51,30 @@ std::vector<std::string> known_names(const SceneDescription& scene) {
     return {names.begin(), names.end()};
 }
 
+/// A share of the luminaire's flux; more than all of it is odd.
+std::optional<double> read_level(const JsonNode& node) {
+    const std::optional<double> level = read_number(node, any_level);
+    if (level && *level > 1.0)
+        node.notice(fmt::format("a level of {} gives the luminaires {} % of their flux",
+                                *level,
+                                100.0 * *level),
+                    *level >= 2.0 && *level <= 100.0
+                        ? fmt::format("Write {:.4g} for {} %?", *level / 100.0, *level)
+                        : std::string());
+    return level;
+}
+
 void set_level(const JsonNode& node,
                const std::string& name,
-               const SceneDescription& scene,
+               const ProjectReader& reader,
                LightScene& light) {
-    const std::optional<double> level = read_number(node, any_level);
+    const SceneDescription& scene = reader.project.scene;
+    const std::optional<double> level = read_level(node);
     if (!level)
         return;
     const std::vector<std::size_t> luminaires = find_luminaires(scene, name);
+    if (luminaires.empty() && reader.lost_names.contains(name))
+        return; // reported where it should have come from
     if (luminaires.empty())
         node.error(fmt::format("unknown luminaires \"{}\" (no group, type or luminaire has "
                                "this name)",
@@ -92,10 +108,12 @@ void read_scenes(const JsonNode& node, ProjectReader& reader) {
                                          "their names)",
                                          *name));
         LightScene light{*name, {}};
-        light.factors.assign(scene.luminaires.size(), object.number("others", any_level, 1.0));
+        const std::optional<JsonNode> others = object.find("others");
+        light.factors.assign(scene.luminaires.size(),
+                             others ? read_level(*others).value_or(1.0) : 1.0);
         if (const std::optional<JsonNode> levels = object.find("levels"))
             for (const JsonMember& m : levels->value().members)
-                set_level(levels->member(m.key, m.value), m.key, scene, light);
+                set_level(levels->member(m.key, m.value), m.key, reader, light);
         reader.project.scenes.push_back(std::move(light));
     }
 }

@@ -27,10 +27,22 @@ std::optional<NumberWithUnit> split(const std::string& text) {
     return split;
 }
 
+/// A number in [lower, upper]. 2 where 2 % may be meant is told how to say that.
+std::optional<double> read_plain_share(const JsonNode& node, double lower, double upper) {
+    const double value = node.value().number;
+    const double share = value / 100.0;
+    if (!node.is(JsonValue::Kind::number) || value <= upper || value < 1.0 || share < lower
+        || share > upper)
+        return read_number(node, {lower, upper});
+    node.error(fmt::format("{} is too large (it must be at most {})", value, upper),
+               fmt::format("Write \"{}%\" or {:.4g}?", value, share));
+    return std::nullopt;
+}
+
 /// A number in [lower, upper], or a percentage as text.
 std::optional<double> read_percentage(const JsonNode& node, double lower, double upper) {
     if (!node.is(JsonValue::Kind::text))
-        return read_number(node, {lower, upper});
+        return read_plain_share(node, lower, upper);
     const std::optional<NumberWithUnit> given = split(node.value().text);
     if (!given || given->unit != "%") {
         node.error(

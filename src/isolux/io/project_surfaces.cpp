@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -126,9 +126,12 @@ std::optional<CalculationSurface> make_area_surface(const JsonNode& node,
                                                     const Quantity& quantity) {
     const std::optional<GridCounts> counts = choose_counts(wish, area.width, area.height);
     if (!counts) {
+        const bool is_automatic = !wish.spacing && !wish.counts;
         node.error(fmt::format("the grid has too many points (at most {} a surface)",
                                most_grid_points),
-                   "Is the spacing in metres?");
+                   is_automatic ? fmt::format(
+                       "Is the size of {:.6g} m x {:.6g} m in metres?", area.width, area.height)
+                                : "Is the spacing in metres?");
         return std::nullopt;
     }
     CalculationSurface surface =
@@ -185,15 +188,19 @@ read_surface(const JsonObject& object, std::size_t number, ProjectReader& reader
 /// Names that the user gave must differ; made-up names get a number until they do.
 class SurfaceNames {
 public:
-    void claim(const JsonNode& node, const std::string& name) {
-        if (!names_.insert(lower(name)).second)
-            node.error(fmt::format(
-                "the surface name \"{}\" is taken (it names the result files)", name));
+    /// @param entry  which entry of "surfaces" it is, from 1
+    void claim(const JsonNode& node, const std::string& name, std::size_t entry) {
+        const auto [taken, is_new] = names_.emplace(lower(name), entry);
+        if (!is_new)
+            node.error(fmt::format("the surface name \"{}\" is taken by entry {} of "
+                                   "\"surfaces\" (it names the result files)",
+                                   name,
+                                   taken->second));
     }
 
     [[nodiscard]] std::string make(const std::string& wish) {
         std::string name = wish;
-        for (int n = 2; !names_.insert(lower(name)).second; ++n)
+        for (int n = 2; !names_.emplace(lower(name), 0).second; ++n)
             name = fmt::format("{} {}", wish, n);
         return name;
     }
@@ -206,7 +213,7 @@ private:
         return text;
     }
 
-    std::set<std::string> names_;
+    std::map<std::string, std::size_t> names_;
 };
 
 JsonObject surface_object(const JsonNode& node) {
@@ -240,13 +247,16 @@ void read_surfaces(const JsonNode& node, ProjectReader& reader) {
         objects.push_back(surface_object(item));
         if (const std::optional<JsonNode> name = objects.back().find("name"))
             if (const std::optional<std::string> given = read_text(*name))
-                names.claim(*name, *given);
+                names.claim(*name, *given, objects.size());
     }
     for (std::size_t i = 0; i < objects.size(); ++i) {
         std::optional<CalculationSurface> surface = read_surface(objects[i], i + 1, reader);
-        if (!surface)
-            continue;
         const JsonValue* name = objects[i].node().value().find("name");
+        if (!surface) {
+            if (name != nullptr)
+                reader.lost_names.insert(name->text);
+            continue;
+        }
         surface->name = name != nullptr ? name->text : names.make(surface->name);
         reader.project.surfaces.push_back(std::move(*surface));
     }

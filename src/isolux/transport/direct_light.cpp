@@ -15,11 +15,17 @@ namespace isolux {
 
 namespace {
 
-constexpr std::uint32_t unshadowed_samples = 8; ///< per replicate, where no value is known
+constexpr std::uint32_t unshadowed_samples = 4; ///< per replicate, where no value is known
 constexpr std::uint32_t shadowed_samples = 4;   ///< per replicate, in a penumbra
 
 /// The tail takes its numbers as if it were this luminaire.
 constexpr std::size_t tail_luminaire = 0xffffffU;
+
+/// Rays to an opening in one unit and replicate.
+std::uint32_t looks_at(const DirectPlan::Opening& opening) noexcept {
+    const float beta = opening.visible_share;
+    return opening.is_clear ? 0U : beta > 0.0F && beta < 1.0F ? shadowed_samples : 1U;
+}
 
 /// Rays of one receiver wait here for a whole packet.
 class RayPacket {
@@ -110,6 +116,16 @@ double image_light(const Scene& scene,
     return light.strength * evaluate_response(receiver, light.arrival) / s.density;
 }
 
+double DirectLight::samples_of(const DirectPlan& plan) const noexcept {
+    std::size_t sum = plan.tail_draws;
+    for (const DirectPlan::Opening& o : plan.openings)
+        sum += looks_at(o)
+               + (o.unshadowed < 0.0 && o.visible_share > 0.0F ? unshadowed_samples : 0U);
+    if (samples_images_)
+        sum += images_->chains().size() * emission_->luminaires() * shadowed_samples;
+    return static_cast<double>(sum);
+}
+
 /// beta x unshadowed + (1/looks) sum of c (V - beta), METHODS eq. (13); rays of several
 /// replicates share a packet.
 void DirectLight::add_opening(const Task& task,
@@ -119,10 +135,7 @@ void DirectLight::add_opening(const Task& task,
     const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, opening.luminaire);
     const Rgb colour = emission_->colour(opening.luminaire);
     const auto beta = static_cast<double>(opening.visible_share);
-    const std::uint32_t looks = task.looks
-                                * (opening.is_clear           ? 0U
-                                   : beta > 0.0 && beta < 1.0 ? shadowed_samples
-                                                              : 1U);
+    const std::uint32_t looks = task.looks * looks_at(opening);
     const std::size_t per_packet = packet_size / std::max(looks, 1U);
     const std::size_t replicates = ledger.total.size();
     RayPacket packet(scene_->caster);

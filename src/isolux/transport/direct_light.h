@@ -65,6 +65,9 @@ public:
     /// Whether every unit and replicate of a plan gives the same value, without a ray.
     [[nodiscard]] bool is_exact(const DirectPlan& plan) const noexcept;
 
+    /// Samples of one unit and replicate: what it costs.
+    [[nodiscard]] double samples_of(const DirectPlan& plan) const noexcept;
+
     /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate + number of
     /// totals), lx per channel: adds to the ledger, whose "points" are the replicates.
     /// @param looks  multiplies the number of samples, 1 .. most_looks; with a larger one from

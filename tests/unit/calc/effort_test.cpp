@@ -20,7 +20,7 @@ constexpr UnitCosts costs{.path = 600.0,
 
 /// So many points, all open.
 SharedTask open_task(const VarianceModel& model, std::size_t points) {
-    return {{points, 0, 0}, {model, {}, {}}, costs};
+    return {{points, 0, 0, 0}, {model, {}, {}, {}}, costs};
 }
 
 double variance_of(const VarianceModel& model, const Effort& e) {
@@ -43,7 +43,7 @@ TEST(Effort, StaysWithinItsBoundsAndPowersOfTwo) {
                                   .draws = 10.0 * scale,
                                   .directions = scale,
                                   .direct = scale,
-                                  .look_rays = 4.0};
+                                  .look_samples = 4.0};
         const EffortChoice c = choose_effort(open_task(model, 100));
         for (const auto& [value, least, most] :
              {std::tuple{c.effort.paths, fewest_paths, most_paths},
@@ -68,13 +68,14 @@ TEST(Effort, IsLeastWhereNothingIsAskedFor) {
 }
 
 TEST(Effort, IsMoreWhereTheNoiseIs) {
-    const VarianceModel calm{.paths = 2000.0, .draws = 2.0, .directions = 0.1, .look_rays = 30.0};
+    const VarianceModel calm{
+        .paths = 2000.0, .draws = 2.0, .directions = 0.1, .look_samples = 30.0};
     VarianceModel noisy = calm;
     noisy.draws = 200.0;
     noisy.directions = 50.0;
     noisy.direct = 5.0;
-    noisy.look_rays = 30.0;
-    const EffortChoice c = choose_effort({{200, 0, 20}, {calm, {}, noisy}, costs});
+    noisy.look_samples = 30.0;
+    const EffortChoice c = choose_effort({{200, 0, 20, 0}, {calm, {}, noisy, {}}, costs});
     EXPECT_GT(c.effort.at[2].draws, c.effort.at[0].draws);
     EXPECT_GT(c.effort.at[2].directions, c.effort.at[0].directions);
     EXPECT_GT(c.effort.at[2].looks, c.effort.at[0].looks);
@@ -105,7 +106,7 @@ TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
     pilot.all = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
     pilot.of_class[0] = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
     pilot.of_class[1] = {.paths = 1e6, .draws = 4.0, .directions = 1.0, .samples = 1.0};
-    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, {30, 30, 0});
+    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, {30, 30, 0, 0});
     EXPECT_EQ(plan.of_class[0], PointEstimator::mis);
     EXPECT_EQ(plan.of_class[1], PointEstimator::path_tracing);
     EXPECT_GT(plan.advantage[0], 1.0);
@@ -119,7 +120,7 @@ TEST(WorkPlan, LeavesTheEstimatorToTheUserWhoNamesOne) {
     pilot.of_class[1] = {.paths = 1e6, .draws = 4.0, .directions = 1.0, .samples = 1.0};
     Settings settings;
     settings.estimator = Estimator::local_estimation_mis;
-    const WorkPlan plan = make_work_plan(settings, pilot, costs, {30, 30, 0});
+    const WorkPlan plan = make_work_plan(settings, pilot, costs, {30, 30, 0, 0});
     EXPECT_EQ(plan.of_class[1], PointEstimator::mis);
 }
 

@@ -53,9 +53,10 @@ TEST(ReadProject, TenLinesAreEnough) {
     EXPECT_EQ(project.surfaces[0].name, "office work plane");
     EXPECT_EQ(project.settings.tolerance, 0.01);
     EXPECT_EQ(project.settings.confidence, 0.95);
-    EXPECT_THAT(notices_of(project),
-                ElementsAre("rooms/small.json:1: no maintenance factor is given (1 is used: the "
-                            "results are initial values). Set \"maintenance_factor\"?"));
+    EXPECT_THAT(
+        notices_of(project),
+        ElementsAre("rooms/small.json:1: no maintenance factor is given (1 is used: the "
+                    "results are initial values). Set \"maintenance_factor\"?"));
 }
 
 TEST(ReadProject, UsesTheUsualReflectances) {
@@ -113,6 +114,8 @@ TEST(ReadProject, SaysWhereJsonEnds) {
     EXPECT_EQ(errors_of("{\"isolux\": 1 \"rooms\": []}"),
               ":1:14: not valid JSON (unexpected string literal; expected '}'). Is a comma "
               "missing before it?");
+    EXPECT_THAT(errors_of("{\"a\": 1,, \"b\": 2}"), HasSubstr("Remove one of the two commas?"));
+    EXPECT_THAT(errors_of("{\"a\": [, 1]}"), HasSubstr("Remove the comma?"));
     EXPECT_THAT(errors_of("{\"a\": 'b'}"), HasSubstr("Write texts in double quotes?"));
     EXPECT_THAT(errors_of("{\"a\": 1e999}"), HasSubstr(":1:"));
     EXPECT_THAT(errors_of(""), HasSubstr(":1:1: not valid JSON (unexpected end of input"));
@@ -132,10 +135,35 @@ TEST(ReadProject, ListsEveryProblemAtOnce) {
                                  {"luminaires", R"([{"type": "panel"}, 3])"}})),
         "#/settings/sed: unknown key \"sed\" (settings has no such key). Did you mean "
         "\"seed\"?\n"
-        "#/settings/tolerance: 2 is too large (it must be at most 0.5)\n"
+        "#/settings/tolerance: 2 is too large (it must be at most 0.5). Write \"2%\" or 0.02?\n"
         "#/luminaires/0: a luminaire needs one of \"position\", \"positions\", \"field\", "
         "\"line\" and \"ring\" (none is given)\n"
         "#/luminaires/1: a luminaire is an object {...} (found a number)");
+}
+
+TEST(ReadProject, SaysOnceWhatIsWrongWithALuminaire) {
+    const std::string panels = R"([
+        {"type": "panel", "position": [1, 1, 2]},
+        {"type": "panel", "position": [2, 1, 2], "gruop": "window", "name": "w"}])";
+
+    const std::string scene = R"([{"name": "a", "levels": {"window": 0.5, "w": 1}}])";
+    EXPECT_EQ(errors_of(small_project({{"luminaires", panels}, {"scenes", scene}})),
+              "#/luminaires/1/gruop: unknown key \"gruop\" (a luminaire has no such key). Did "
+              "you mean \"group\"?");
+    const std::string wall = R"([{"name": "a", "levels": {"wall": 0.5}}])";
+    EXPECT_THAT(errors_of(small_project({{"luminaires", panels}, {"scenes", wall}})),
+                HasSubstr("#/scenes/0/levels/wall: unknown luminaires \"wall\""));
+}
+
+TEST(ReadProject, SaysOnceWhatIsWrongWithASurface) {
+    const std::string surfaces = R"([{"name": "lawn", "floor": {"rom": "office"}},
+                                     {"name": "way", "rectangle": {}}])";
+    const std::string observers =
+        R"([{"position": [1, 1, 1.5], "rating": "GR", "ground": "way"}])";
+    EXPECT_EQ(errors_of(small_project({{"surfaces", surfaces}, {"observers", observers}})),
+              "#/surfaces/0/floor/rom: unknown key \"rom\" (a floor has no such key). Did you "
+              "mean \"room\"?\n#/surfaces/1/rectangle: a rectangle needs one of \"corner\" "
+              "and \"centre\" (none is given)");
 }
 
 TEST(ReadProject, StopsListingSomewhere) {

@@ -87,6 +87,19 @@ const Malformed types[] = {
 
 INSTANTIATE_TEST_SUITE_P(Types, MalformedLuminaires, testing::ValuesIn(types), name_of);
 
+const Malformed other_words[] = {
+    {"LumenForFlux",
+     "luminaire_types",
+     R"({"panel": {"isotropic": {"flux": 470}, "lumen": 500}})",
+     R"(#/luminaire_types/panel/lumen: unknown key "lumen" (a luminaire type has no such key). Did you mean "flux"?)",
+     shape},
+};
+
+INSTANTIATE_TEST_SUITE_P(OtherWords,
+                         MalformedLuminaires,
+                         testing::ValuesIn(other_words),
+                         name_of);
+
 const Malformed placement[] = {
     {"UnknownType",
      "luminaires",
@@ -106,7 +119,24 @@ const Malformed placement[] = {
      "luminaires",
      R"([{"type": "panel", "positions": [[1, 1, 2], [7, 1, 2]]}])",
      "#/luminaires/0/positions/1: the luminaire at (7, 1, 2) is outside every room (no "
-     "wall would reflect its light)"},
+     R"(wall would reflect its light). Room "office" reaches from (0, 0, 0) to (6, 4, 3))"},
+    {"LineBesideTheRoom",
+     "luminaires",
+     R"([{"type": "panel", "line": {"from": [5, 1, 2], "to": [9, 1, 2], "count": 5}}])",
+     "#/luminaires/0/line: 3 of 5 luminaires are outside every room, the first at (7, 1, 2) "
+     "(no wall would reflect their light). "
+     R"(Room "office" reaches from (0, 0, 0) to (6, 4, 3))"},
+    {"LineInMillimetres",
+     "luminaires",
+     R"([{"type": "panel", "line": {"from": [500, 1000, 2800], "to": [5500, 1000, 2800], "count": 3}}])",
+     "#/luminaires/0/line: all 3 luminaires are outside every room, the first at (500, 1000, "
+     "2800) (no wall would reflect their light). Is it in metres? "
+     R"(Room "office" reaches from (0, 0, 0) to (6, 4, 3))"},
+    {"RotateForRotation",
+     "luminaires",
+     R"([{"type": "panel", "position": [1, 1, 2], "rotate": 90}])",
+     R"(#/luminaires/0/rotate: unknown key "rotate" (a luminaire has no such key). Did you mean "rotation"?)",
+     shape},
     {"AimEqualsPosition",
      "luminaires",
      R"([{"type": "panel", "position": [1, 1, 2], "aim": [1, 1, 2]}])",

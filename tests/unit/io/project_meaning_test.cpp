@@ -62,6 +62,23 @@ TEST(ProjectLuminaires, OutsideAnLShapedRoomAreLeftOutOfAField) {
         "a column (they are left out)");
 }
 
+TEST(ProjectRooms, OfUnusualHeightAreNoticed) {
+    const auto notices = [](const std::string& height) {
+        std::string all;
+        for (const Message& m :
+             parse({{"rooms",
+                     R"([{"name": "office", "size": [60, 40], "height": )" + height + "}]"}})
+                 .notices)
+            all += to_string(m) + "\n";
+        return all;
+    };
+
+    EXPECT_EQ(notices("30"), "");
+    EXPECT_EQ(notices("31"),
+              "p.json:5: #/rooms/0/height: the room is 60 m x 40 m, 31 m high (higher than 30 "
+              "m). Are these centimetres? isolux takes metres\n");
+}
+
 TEST(ProjectLuminaires, OfALineIncludeBothEnds) {
     const Project project = with_luminaires(
         R"([{"type": "panel", "line": {"from": [1, 1, 2], "to": [5, 3, 2], "count": 3}}])");

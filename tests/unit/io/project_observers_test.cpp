@@ -145,6 +145,22 @@ TEST(Scenes, SetLevelsOfGroupsTypesAndLuminaires) {
     EXPECT_EQ(p.scenes[2].factors, (std::vector<double>{1.0, 0.0, 1.0, 1.0, 1.0}));
 }
 
+TEST(Scenes, NoticeLevelsAboveOne) {
+    const Project p = parse_project(
+        small_project(
+            {{"luminaires", groups},
+             {"scenes", R"([{"name": "a", "levels": {"window": 50}, "others": 1.5}])"}}),
+        "p.json");
+    ASSERT_EQ(p.notices.size(), 2U);
+    EXPECT_EQ(to_string(p.notices[0]),
+              "p.json:9: #/scenes/0/others: a level of 1.5 gives the luminaires 150 % of their "
+              "flux");
+    EXPECT_EQ(
+        to_string(p.notices[1]),
+        "p.json:9: #/scenes/0/levels/window: a level of 50 gives the luminaires 5000 % of "
+        "their flux. Write 0.5 for 50 %?");
+}
+
 TEST(Scenes, ComplainAboutNamesAndLightThatIsNotThere) {
     EXPECT_THAT(
         scene_complaint(R"([{"name": "a", "levels": {"windw": 1}}])"),

@@ -140,11 +140,21 @@ TEST(Requirements, ReadAStandardOfTheUsersOwn) {
 }
 
 TEST(Requirements, ComplainAboutWhatDoesNotExist) {
-    EXPECT_THAT(complaint(R"([{"standard": "EN 12464-3", "row": "34.2"}])"),
-                HasSubstr("p.json:5: #/requirements/0/standard: unknown standard \"EN 12464-3\""));
-    EXPECT_THAT(complaint(R"([{"standard": "EN 12464-1:2021", "row": "34.22"}])"),
-                HasSubstr("p.json:5: #/requirements/0/row: EN 12464-1:2021 has no row \"34.22\" "
-                          "(nothing to judge by). Did you mean"));
+    EXPECT_THAT(
+        complaint(R"([{"standard": "EN 12464-3", "row": "34.2"}])"),
+        HasSubstr("p.json:5: #/requirements/0/standard: unknown standard \"EN 12464-3\""));
+    EXPECT_THAT(
+        complaint(R"([{"standard": "EN 12464-1:2021", "row": "34.22"}])"),
+        HasSubstr("p.json:5: #/requirements/0/row: EN 12464-1:2021 has no row \"34.22\" "
+                  "(rows are numbered as in this edition, \"9.1\" for example). Did "
+                  "you mean \"34.2\"? `isolux standards WORD` finds rows"));
+    EXPECT_THAT(complaint(R"([{"standard": "EN 12464", "row": "34.2"}])"),
+                HasSubstr("unknown standard \"EN 12464\" (known are \"EN 12464-1:2021\", \"EN "
+                          "12464-2:2014\" and \"EN 1838:2013\"). Did you mean \"EN "
+                          "12464-1\"?"));
+    EXPECT_THAT(complaint(R"([{"standard": "EN 12464-1", "row": 44.1}])"),
+                HasSubstr("/row: text is expected here (found a number). Write \"44.1\" in "
+                          "quotes?"));
     EXPECT_THAT(
         complaint(R"([{"standard": "EN 12464-1:2021", "row": "34.2", "area": "desc"}])", desk),
         HasSubstr("p.json:5: #/requirements/0/area: unknown surface \"desc\" (surfaces has no "

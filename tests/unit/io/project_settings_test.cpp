@@ -59,11 +59,34 @@ const Malformed top_level[] = {
 
 INSTANTIATE_TEST_SUITE_P(TopLevel, MalformedSettings, testing::ValuesIn(top_level), name_of);
 
+const Malformed percentages[] = {
+    {"MaintenanceFactorAsText",
+     "maintenance_factor",
+     R"("80%")",
+     "#/maintenance_factor: a number is expected here (found text). Write 0.8 for 80 %?",
+     shape},
+};
+
+INSTANTIATE_TEST_SUITE_P(Percentages,
+                         MalformedSettings,
+                         testing::ValuesIn(percentages),
+                         name_of);
+
 const Malformed settings[] = {
     {"ToleranceZero",
      "settings",
      R"({"tolerance": 0})",
      "#/settings/tolerance: 0 is too small (it must be at least 0.0001)",
+     shape},
+    {"TolerancePercentAsNumber",
+     "settings",
+     R"({"tolerance": 2})",
+     R"(#/settings/tolerance: 2 is too large (it must be at most 0.5). Write "2%" or 0.02?)",
+     shape},
+    {"ConfidencePercentAsNumber",
+     "settings",
+     R"({"confidence": 95})",
+     R"(#/settings/confidence: 95 is too large (it must be at most 0.9999). Write "95%" or 0.95?)",
      shape},
     {"ToleranceAbove50Percent",
      "settings",

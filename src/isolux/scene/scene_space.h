@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "isolux/scene/scene.h"
+
+namespace isolux {
+
+/// Tells the places that no light of a room reaches: those outside every room and those inside
+/// closed, opaque objects. Keeps what it needs of the description.
+class SceneSpace {
+public:
+    explicit SceneSpace(const SceneDescription& description);
+
+    /// Borders count as inside. Without rooms nothing is outside.
+    [[nodiscard]] bool is_outside(const Point3& p) const noexcept;
+
+    /// The object around the point, as index into SceneDescription::objects. A point on an
+    /// object's surface (1e-6 m) is not inside; neither is one in an open or transparent
+    /// object.
+    [[nodiscard]] std::optional<std::size_t> object_around(const Point3& p) const noexcept;
+
+    [[nodiscard]] const std::vector<Room>& rooms() const noexcept { return rooms_; }
+
+private:
+    struct Solid {
+        std::size_t object = 0;
+        Bounds bounds;
+        std::vector<std::array<Point3, 3>> triangles;
+    };
+
+    static bool is_inside(const Solid& solid, const Point3& p) noexcept;
+
+    std::vector<Room> rooms_;
+    std::vector<Solid> solids_;
+};
+
+/// `Room "hall" reaches from (0, 0, 0) to (6, 4, 3), room "store" ...`, the first three.
+[[nodiscard]] std::string extents_in_words(const std::vector<Room>& rooms);
+
+} // namespace isolux
