@@ -9,6 +9,7 @@
 #include "isolux/cli/parse_values.h"
 #include "isolux/cli/project_path.h"
 #include "isolux/io/project_json.h"
+#include "isolux/measure/inspect_places.h"
 
 namespace isolux {
 
@@ -49,6 +50,9 @@ std::unique_ptr<ThreadLimit> limit_threads(const CalculationOptions& options) {
 Project load_project(const std::string& argument) {
     Project project = read_project(find_project_file(argument));
     for (Message& notice : inspect_scene(project.scene))
+        project.notices.push_back(std::move(notice));
+    for (Message& notice :
+         inspect_places(project.scene, project.surfaces, project.observers, project.views))
         project.notices.push_back(std::move(notice));
     return project;
 }

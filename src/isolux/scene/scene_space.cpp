@@ -69,7 +69,11 @@ SceneSpace::SceneSpace(const SceneDescription& description) : rooms_(description
         for (const auto& triangle : solid.triangles)
             for (const Point3& p : triangle)
                 widen(solid.bounds, p);
-        solids_.push_back(std::move(solid));
+        const auto hangs_in = [&](const LuminairePlacement& l) {
+            return is_inside(solid, l.world_from_luminaire.origin);
+        };
+        if (std::ranges::none_of(description.luminaires, hangs_in)) // else a room of its own
+            solids_.push_back(std::move(solid));
     }
 }
 
@@ -93,6 +97,35 @@ std::optional<std::size_t> SceneSpace::object_around(const Point3& p) const noex
     const auto around =
         std::ranges::find_if(solids_, [&](const Solid& s) { return is_inside(s, p); });
     return around == solids_.end() ? std::nullopt : std::optional(around->object);
+}
+
+bool SceneSpace::has_open_wall() const noexcept {
+    return std::ranges::any_of(rooms_, [](const Room& room) {
+        return std::ranges::any_of(room.openings, [](const WallOpening& o) {
+            return o.state != OpeningState::closed;
+        });
+    });
+}
+
+bool SceneSpace::looks_through_opening(const Point3& from,
+                                       const Vector3& along) const noexcept {
+    for (const Room& room : rooms_)
+        for (const WallOpening& o : room.openings) {
+            const Point2 a = room.footprint[o.wall];
+            const Point2 b = room.footprint[(o.wall + 1) % room.footprint.size()];
+            const double wall = std::hypot(b.x - a.x, b.y - a.y);
+            const Vector3 u{(b.x - a.x) / wall, (b.y - a.y) / wall, 0.0};
+            const Vector3 n{-u.y, u.x, 0.0};
+            const Point3 corner{a.x, a.y, room.floor_level + o.sill};
+            const double t = dot(n, corner - from) / dot(n, along);
+            if (o.state == OpeningState::closed || !(t > 0.0) || !std::isfinite(t))
+                continue;
+            const Vector3 p = from + t * along - corner;
+            const double beside = dot(u, p) - o.offset;
+            if (beside >= 0.0 && beside <= o.width && p.z >= 0.0 && p.z <= o.height)
+                return true;
+        }
+    return false;
 }
 
 std::string extents_in_words(const std::vector<Room>& rooms) {

@@ -9,7 +9,7 @@
 namespace isolux {
 
 /// Tells the places that no light of a room reaches: those outside every room and those inside
-/// closed, opaque objects. Keeps what it needs of the description.
+/// closed, opaque objects without a luminaire. Keeps what it needs of the description.
 class SceneSpace {
 public:
     explicit SceneSpace(const SceneDescription& description);
@@ -19,8 +19,15 @@ public:
 
     /// The object around the point, as index into SceneDescription::objects. A point on an
     /// object's surface (1e-6 m) is not inside; neither is one in an open or transparent
-    /// object.
+    /// object, or in one that holds a luminaire.
     [[nodiscard]] std::optional<std::size_t> object_around(const Point3& p) const noexcept;
+
+    /// Whether some room has an opening that light passes.
+    [[nodiscard]] bool has_open_wall() const noexcept;
+
+    /// Whether a ray crosses an opening that light passes. @pre `along` has a length
+    [[nodiscard]] bool looks_through_opening(const Point3& from,
+                                             const Vector3& along) const noexcept;
 
     [[nodiscard]] const std::vector<Room>& rooms() const noexcept { return rooms_; }
 
