@@ -47,8 +47,10 @@ TEST(CheckVerb, ListsEveryError) {
     const Ran ran = run_program({"check", project});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_EQ(ran.out, "");
-    EXPECT_NE(ran.err.find("error: " + project + ":1: #/rooms/0"), std::string::npos) << ran.err;
-    EXPECT_NE(ran.err.find("error: " + project + ":2: #/luminaire_types/bulb"), std::string::npos)
+    EXPECT_NE(ran.err.find("error: " + project + ":1: #/rooms/0"), std::string::npos)
+        << ran.err;
+    EXPECT_NE(ran.err.find("error: " + project + ":2: #/luminaire_types/bulb"),
+              std::string::npos)
         << ran.err;
 }
 
@@ -56,6 +58,39 @@ TEST(CheckVerb, SaysWhenThereIsNoProject) {
     const Ran ran = run_program({"check", "/nowhere/at/all"});
     EXPECT_EQ(ran.exit_code, 2);
     EXPECT_EQ(ran.err, "error: /nowhere/at/all: no such file or folder\n");
+}
+
+TEST(CheckVerb, KnowsALuminaireFile) {
+    const TemporaryFolder folder;
+    for (const char* name : {"lamp.ldt", "lamp.IES"}) {
+        const std::string file = folder.write(name, "1\n");
+        const Ran ran = run_program({"check", file});
+        EXPECT_EQ(ran.exit_code, 2);
+        EXPECT_EQ(ran.err,
+                  "error: " + file
+                      + ": this is a luminaire file, not a project. `isolux photometry info "
+                      + file + "` tells what it says\n");
+    }
+}
+
+TEST(CheckVerb, TellsWhereNoLightComes) {
+    const TemporaryFolder folder;
+    const std::string project = folder.write("p.json", R"({"isolux": 1,
+        "maintenance_factor": 0.8,
+        "rooms": [{"name": "office", "size": [6, 4], "height": 3}],
+        "objects": [{"name": "desk", "box": [1, 1, 0.76], "position": [3, 2, 0]}],
+        "luminaire_types": {"bulb": {"isotropic": {"flux": 500}}},
+        "luminaires": [{"type": "bulb", "position": [3, 2, 2]}],
+        "surfaces": [{"name": "plane", "points": [[3, 2, 0.75], [1, 1, 0.75]]}],
+        "observers": [{"name": "door", "position": [7, 2, 1.6], "direction": 180}],
+        "views": [{"name": "street", "position": [-1, 2, 1.6], "target": [3, 2, 1]}]})");
+    const Ran ran = run_program({"check", project});
+    EXPECT_EQ(ran.exit_code, 0);
+    for (const char* text : {"notice: surface 'plane': 1 of 2 points lies inside 'desk'",
+                             "notice: observers 'door': ",
+                             "notice: view 'street': its camera lies outside every room",
+                             "no errors, 3 notices\n"})
+        EXPECT_NE(ran.out.find(text), std::string::npos) << text << "\n" << ran.out;
 }
 
 TEST(CheckVerb, HasHelpWithExamples) {

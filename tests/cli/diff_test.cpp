@@ -34,6 +34,30 @@ TEST(DiffVerb, EndsWithZeroWhereNothingButInputsChanged) {
     EXPECT_EQ(ran.exit_code, 1);
 }
 
+TEST(DiffVerb, AndOthersTellAProjectFromResults) {
+    const TemporaryFolder folder;
+    write(folder.path("a"), 0.0);
+    const std::string file = folder.write("project.json", R"({"isolux": 1})");
+    const auto complaint = [&](const std::string& argument) {
+        return "error: " + argument + ": that is a project, not its results. Run `isolux run "
+               + argument + "` first and name the folder it writes\n";
+    };
+
+    for (const char* verb : {"report", "scenes", "view"})
+        for (const std::string& argument : {folder.path(), file}) {
+            const Ran ran = run_program({verb, argument});
+            EXPECT_EQ(ran.exit_code, 2) << verb;
+            EXPECT_EQ(ran.err, complaint(argument)) << verb;
+        }
+    EXPECT_EQ(run_program({"diff", folder.path("a"), file}).err, complaint(file));
+    const std::string empty = folder.path("empty");
+    std::filesystem::create_directories(empty);
+    EXPECT_EQ(run_program({"diff", empty, empty}).err,
+              "error: " + empty
+                  + ": no results.json in this folder. `isolux run PROJECT -o DIR` writes "
+                    "results into DIR\n");
+}
+
 TEST(DiffVerb, EndsWithOneWhereAValueChanged) {
     const TemporaryFolder folder;
     write(folder.path("a"), 0.0);

@@ -58,6 +58,69 @@ TEST(ScenesVerb, TakesLevelsFromTheCommandLine) {
     EXPECT_EQ(ran.out.substr(ran.out.find('\n')), half.substr(half.find('\n')));
 }
 
+TEST(ScenesVerb, TakesPercentages) {
+    const TemporaryFolder folder;
+    const std::string out = write_results_with_sources(folder);
+    const Ran percent = run_program({"scenes", out, "board=50%", "--others", "25%"});
+    EXPECT_EQ(percent.exit_code, 0);
+    EXPECT_EQ(percent.err, "");
+    const Ran share = run_program({"scenes", out, "board=0.5", "--others", "0.25"});
+    EXPECT_EQ(percent.out.substr(percent.out.find('\n')),
+              share.out.substr(share.out.find('\n')));
+}
+
+TEST(ScenesVerb, NoticesMoreThanAllOfTheLight) {
+    const TemporaryFolder folder;
+    const std::string out = write_results_with_sources(folder);
+    const Ran ran = run_program({"scenes", out, "board=50"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(
+        ran.err,
+        "notice: isolux scenes: 'board=50' is 5000 % of the light that was calculated. 0.5 "
+        "or 50% for 50 %?\n");
+    EXPECT_EQ(
+        run_program({"scenes", out, "board=150%"}).err,
+        "notice: isolux scenes: 'board=150%' is 150 % of the light that was calculated\n");
+}
+
+TEST(ScenesVerb, ListsTheNamesThatCanBeSet) {
+    const TemporaryFolder folder;
+    const Ran ran = run_program({"scenes", write_results_with_sources(folder)});
+    EXPECT_THAT(ran.out,
+                HasSubstr("levels can be set for\n  board (2 luminaires, 1000 lm)\n  pupils (1 "
+                          "luminaire, 3000 lm)\n"));
+}
+
+TEST(ScenesVerb, SaysThatTypesAreNotKeptApart) {
+    const TemporaryFolder folder;
+    const std::string text = R"({"isolux": 1,
+        "maintenance_factor": 0.8, "settings": {"tolerance": "20%"},
+        "rooms": [{"size": [3, 3], "height": 3}],
+        "luminaire_types": {"bulb": {"isotropic": {"flux": 500}}},
+        "luminaires": [{"type": "bulb", "position": [1, 1, 2], "group": "a"},
+                       {"type": "bulb", "position": [2, 2, 2], "group": "b"}],
+        "surfaces": [{"points": [[1, 2, 0.75]]}],
+        "scenes": [{"name": "half", "others": 0.5}]})";
+    const std::string project = folder.write("p.json", text);
+    Ran ran = run_program({"run", project, "-o", folder.path("out"), "--quiet"});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    ran = run_program({"scenes", folder.path("out"), "bulb=0.5"});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_EQ(ran.err,
+              "error: isolux scenes: the light in these results is not kept apart by luminaire "
+              "type, as 'bulb' asks (it is kept by group; names: a, b). \"contributions\": "
+              "\"luminaires\" in the project's settings keeps every luminaire apart\n");
+
+    std::string apart = text;
+    apart.insert(apart.find("\"tolerance\""), "\"contributions\": \"luminaires\", ");
+    const std::string second = folder.write("q.json", apart);
+    ran = run_program({"run", second, "-o", folder.path("apart"), "--quiet"});
+    ran = run_program({"scenes", folder.path("apart"), "a=0.5"});
+    EXPECT_EQ(ran.err,
+              "error: isolux scenes: the light in these results is not kept apart by group, as "
+              "'a' asks (it is kept by luminaire; names: bulb 1, bulb 2)\n");
+}
+
 TEST(ScenesVerb, ComplainsAboutNamesLevelsAndMissingTables) {
     const TemporaryFolder folder;
     const std::string out = write_results_with_sources(folder);

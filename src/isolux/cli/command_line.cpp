@@ -104,7 +104,12 @@ void find_left_over(const CLI::App& app,
             known.push_back("--" + name);
     }
     const bool has_choice = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
+    bool follows_unknown = false; // what follows an unknown option may be its value
     for (const std::string& word : app.remaining()) {
+        const bool is_value = follows_unknown && !word.starts_with('-');
+        follows_unknown = word.starts_with('-') && word.find('=') == std::string::npos;
+        if (is_value)
+            continue;
         if (!word.starts_with('-')) {
             if (has_choice && app.get_subcommands().empty()) {
                 messages.push_back(unknown_subcommand(app, place, word));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "isolux/cli/console.h"
+#include "isolux/cli/results_path.h"
 #include "isolux/cli/run_report.h"
 #include "isolux/cli/text_table.h"
 #include "isolux/cli/verbs.h"
@@ -18,8 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 ResultsDocument read_folder(const std::string& argument) {
-    const fs::path path(argument);
-    return read_results_json(fs::is_directory(path) ? path / "results.json" : path);
+    return read_results_json(find_results_file(argument));
 }
 
 std::string to_text(const ResultsDiff& diff, double confidence) {

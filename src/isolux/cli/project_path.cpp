@@ -1,5 +1,8 @@
 #include "isolux/cli/project_path.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -34,6 +37,14 @@ std::string only_project_in(const fs::path& folder) {
     return found.empty() ? found : (folder / found).string();
 }
 
+bool is_luminaire_file(const fs::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    constexpr std::array<std::string_view, 4> endings{".ldt", ".ies", ".gldf", ".xml"};
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
 } // namespace
 
 std::filesystem::path find_project_file(const std::string& argument) {
@@ -48,8 +59,14 @@ std::filesystem::path find_project_file(const std::string& argument) {
                          other.empty() ? "Name the project file itself"
                                        : fmt::format("Did you mean {}?", other));
     }
-    if (fs::exists(path, error))
+    if (fs::exists(path, error)) {
+        if (is_luminaire_file(path))
+            throw InputError(
+                argument,
+                "this is a luminaire file, not a project",
+                fmt::format("`isolux photometry info {}` tells what it says", argument));
         return path;
+    }
     if (!path.has_filename())
         path = path.parent_path();
     const fs::path folder = path.parent_path();

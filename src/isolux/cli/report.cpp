@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "isolux/cli/console.h"
+#include "isolux/cli/results_path.h"
 #include "isolux/cli/verbs.h"
 #include "isolux/io/results_json.h"
 #include "isolux/report/report_files.h"
@@ -23,7 +24,7 @@ struct ReportOptions {
 
 ExitCode write(const ReportOptions& o) {
     const fs::path folder = o.folder;
-    const ResultsDocument document = read_results_json(folder / "results.json");
+    const ResultsDocument document = read_results_json(find_results_file(o.folder));
     if (o.output.empty()) {
         report::write_reports(folder, document);
         print(fmt::format(

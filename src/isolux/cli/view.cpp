@@ -9,6 +9,7 @@
 
 #include "isolux/cli/console.h"
 #include "isolux/cli/parse_values.h"
+#include "isolux/cli/results_path.h"
 #include "isolux/cli/suggest.h"
 #include "isolux/cli/verbs.h"
 #include "isolux/viz/probe.h"
@@ -84,7 +85,7 @@ ExitCode view(const ViewOptions& o) {
                              "A name that ends in .png?");
         options.screenshot = o.screenshot;
     }
-    const ResultsDocument document = read_results_json(fs::path(o.folder) / "results.json");
+    const ResultsDocument document = read_results_json(find_results_file(o.folder));
     if (!o.surface.empty())
         options.surface = find_surface(o.surface, document.results);
     if (options.probe) {
