@@ -44,6 +44,27 @@ TEST_F(SenseVerb, AnswersEveryLineInOrder) {
     EXPECT_EQ(ran.err, "");
 }
 
+TEST_F(SenseVerb, TellsOnceOfPointsWithoutLight) {
+    const std::string input = "3 2 0.75 0 0 1\n7 2 0.75 0 0 1\n-1 2 0.75 0 0 1\n";
+    const Ran ran = sense(input, {"--batch", "1"});
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_EQ(
+        ran.err,
+        "notice: stdin: 2 of 3 points outside every room (no light of a room gets there). "
+        "Room \"office\" reaches from (0, 0, 0) to (6, 4, 3)\n");
+    EXPECT_EQ(sense(input, {"--quiet"}).err, "");
+}
+
+TEST_F(SenseVerb, TellsOfPointsInsideObjects) {
+    std::string text = office;
+    text.insert(text.find("\"luminaire_types\""),
+                R"("objects": [{"box": [1, 1, 0.76], "position": [3, 2, 0]}], )");
+    const std::string project = folder_.write("desk.json", text);
+    const Ran ran = run_program({"sense", project, "--tolerance", "5%"}, "3 2 0.5 0 0 1\n");
+    EXPECT_EQ(ran.out, "0\t0\n");
+    EXPECT_EQ(ran.err, "notice: stdin: 1 of 1 points inside an object (they get no light)\n");
+}
+
 TEST_F(SenseVerb, PrintsJsonLines) {
     const Ran ran = sense("3 2 0.75 0 0 1\n1 1 1 0 0 -2\n", {"--json"});
     EXPECT_EQ(ran.exit_code, 0) << ran.err;

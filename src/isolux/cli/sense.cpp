@@ -15,6 +15,7 @@
 #include "isolux/cli/parse_values.h"
 #include "isolux/cli/receiver_lines.h"
 #include "isolux/cli/verbs.h"
+#include "isolux/scene/scene_space.h"
 
 namespace isolux {
 
@@ -47,6 +48,38 @@ std::string to_json_line(const Receiver& receiver, const PointResult& p, double 
     return line.dump() + "\n";
 }
 
+/// Points where no light of a room comes.
+struct DarkPoints {
+    std::size_t points = 0;
+    std::size_t outside = 0;
+    std::size_t in_objects = 0;
+
+    void count(const std::vector<Receiver>& receivers, const SceneSpace& space) {
+        points += receivers.size();
+        for (const Receiver& r : receivers) {
+            const bool is_outside = space.is_outside(r.point);
+            outside += is_outside ? 1U : 0U;
+            in_objects += !is_outside && space.object_around(r.point) ? 1U : 0U;
+        }
+    }
+
+    void report(const SceneSpace& space) const {
+        if (outside > 0)
+            report_notice({"stdin",
+                           fmt::format("{} of {} points outside every room (no light of a room "
+                                       "gets there)",
+                                       outside,
+                                       points),
+                           extents_in_words(space.rooms())});
+        if (in_objects > 0)
+            report_notice({"stdin",
+                           fmt::format("{} of {} points inside an object (they get no light)",
+                                       in_objects,
+                                       points),
+                           ""});
+    }
+};
+
 std::size_t batch_size(const SenseOptions& options) {
     if (!options.batch.empty())
         return parse_count("--batch", options.batch, 1, 1'000'000);
@@ -66,11 +99,14 @@ ExitCode sense(const SenseOptions& options) {
         for (const Message& notice : project.notices)
             report_notice(notice);
     }
+    const SceneSpace space(project.scene);
     const Scene scene = build_scene(std::move(project.scene));
+    DarkPoints dark;
     ReceiverLines lines(std::cin, "stdin");
     CalculationSurface surface;
     surface.name = "stdin";
     while (!(surface.receivers = lines.read(batch)).empty()) {
+        dark.count(surface.receivers, space);
         const Results results = calculate(scene, {&surface, 1}, settings);
         std::string text;
         for (std::size_t i = 0; i < surface.receivers.size(); ++i) {
@@ -81,6 +117,8 @@ ExitCode sense(const SenseOptions& options) {
         print(text);
         flush_output();
     }
+    if (!options.is_quiet)
+        dark.report(space);
     return ExitCode::success;
 }
 
