@@ -78,6 +78,13 @@ std::optional<SurfaceArea> read_floor_or_ceiling(const JsonNode& node,
 }
 
 std::optional<SurfaceArea> read_wall(const JsonNode& node, const ProjectReader& reader) {
+    if (node.is(JsonValue::Kind::text)) {
+        node.error("a wall is an object {\"number\": 1} (found text)",
+                   reader.project.scene.rooms.size() == 1
+                       ? walls_in_words(reader.project.scene.rooms.front().footprint)
+                       : std::string());
+        return std::nullopt;
+    }
     const JsonObject object(node, "a wall", {"room", "number", "edge"});
     const Room* room = reader.find_room(object);
     const std::optional<std::int64_t> number =

@@ -75,7 +75,8 @@ namespace {
 
 std::string in_words(const Point2& p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
-/// Which wall has which number.
+} // namespace
+
 std::string walls_in_words(const std::vector<Point2>& footprint) {
     constexpr std::size_t most_walls = 8;
     if (footprint.size() < 3 || footprint.size() > most_walls)
@@ -92,8 +93,6 @@ std::string walls_in_words(const std::vector<Point2>& footprint) {
     }
     return words;
 }
-
-} // namespace
 
 std::optional<std::int64_t> read_wall_number(const JsonNode& node,
                                              const std::vector<Point2>& footprint) {

@@ -84,6 +84,8 @@ void read_views(const JsonNode& node, ProjectReader& reader);
 /// The work plane of every room, for a project that names no surface.
 void add_default_surfaces(ProjectReader& reader);
 
+/// Which wall of a footprint has which number, for hints.
+[[nodiscard]] std::string walls_in_words(const std::vector<Point2>& footprint);
 /// From 1; whether the room has so many is for the caller to see.
 /// @param footprint  of the room, to tell which wall has which number; empty: not known
 [[nodiscard]] std::optional<std::int64_t>

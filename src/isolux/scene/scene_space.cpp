@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
-
-#include "isolux/scene/triangulate.h"
 
 namespace isolux {
 namespace {
@@ -24,18 +22,28 @@ bool lets_light_through(const Object& object, const std::vector<Material>& mater
     });
 }
 
-/// Solid angle of a triangle seen from p, signed by the side of p (van Oosterom and Strackee
-/// 1983, doi:10.1109/TBME.1983.325207); 0 in its plane.
-double signed_solid_angle(const std::array<Point3, 3>& t, const Point3& p) noexcept {
-    constexpr double in_plane = 1e-6; // m
-    const Vector3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-    const double volume = dot(a, cross(b, c));
-    if (std::abs(volume) <= in_plane * length(cross(b - a, c - a)))
-        return 0.0;
-    const double la = length(a), lb = length(b), lc = length(c);
-    return 2.0
-           * std::atan2(volume,
-                        la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+constexpr double on_surface = 1e-6; ///< m
+
+/// Whether the vertical through p meets the triangle. Two triangles with a common edge never
+/// both claim a line through it, for each edge is judged the same way in both.
+bool covers(const std::array<Point3, 3>& t, const Point3& p) noexcept {
+    bool is_inside = false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point3 *a = &t[i], *b = &t[(i + 1) % 3];
+        if ((a->y > p.y) == (b->y > p.y))
+            continue;
+        if (b->y < a->y)
+            std::swap(a, b);
+        if (a->x + (p.y - a->y) / (b->y - a->y) * (b->x - a->x) > p.x)
+            is_inside = !is_inside;
+    }
+    return is_inside;
+}
+
+/// Column of a coordinate in a grid.
+std::size_t cell_of(double x, double lower, double upper, std::size_t columns) noexcept {
+    const double place = (x - lower) / (upper - lower) * static_cast<double>(columns);
+    return place > 0.0 ? std::min(columns - 1, static_cast<std::size_t>(place)) : 0;
 }
 
 void widen(Bounds& bounds, const Point3& p) {
@@ -48,8 +56,9 @@ void widen(Bounds& bounds, const Point3& p) {
 }
 
 bool is_within(const Bounds& b, const Point3& p) noexcept {
-    return p.x > b.lower.x && p.x < b.upper.x && p.y > b.lower.y && p.y < b.upper.y
-           && p.z > b.lower.z && p.z < b.upper.z;
+    return p.x > b.lower.x + on_surface && p.x < b.upper.x - on_surface
+           && p.y > b.lower.y + on_surface && p.y < b.upper.y - on_surface
+           && p.z > b.lower.z + on_surface && p.z < b.upper.z - on_surface;
 }
 
 } // namespace
@@ -69,6 +78,7 @@ SceneSpace::SceneSpace(const SceneDescription& description) : rooms_(description
         for (const auto& triangle : solid.triangles)
             for (const Point3& p : triangle)
                 widen(solid.bounds, p);
+        sort_into_cells(solid);
         const auto hangs_in = [&](const LuminairePlacement& l) {
             return is_inside(solid, l.world_from_luminaire.origin);
         };
@@ -82,15 +92,71 @@ bool SceneSpace::is_outside(const Point3& p) const noexcept {
            && std::ranges::none_of(rooms_, [&](const Room& r) { return contains(r, p); });
 }
 
+void SceneSpace::sort_into_cells(Solid& solid) {
+    struct Range {
+        std::size_t x0, x1, y0, y1;
+    };
+
+    const Bounds& bounds = solid.bounds;
+    const auto range_of = [&](const std::array<Point3, 3>& t) {
+        const auto [x0, x1] = std::minmax({t[0].x, t[1].x, t[2].x});
+        const auto [y0, y1] = std::minmax({t[0].y, t[1].y, t[2].y});
+        const std::size_t n = solid.columns;
+        return Range{cell_of(x0, bounds.lower.x, bounds.upper.x, n),
+                     cell_of(x1, bounds.lower.x, bounds.upper.x, n),
+                     cell_of(y0, bounds.lower.y, bounds.upper.y, n),
+                     cell_of(y1, bounds.lower.y, bounds.upper.y, n)};
+    };
+    const double triangles = static_cast<double>(solid.triangles.size());
+    const double most_entries = 1000.0 + 8.0 * triangles;
+    for (solid.columns = 1 + static_cast<std::size_t>(std::sqrt(triangles));;
+         solid.columns = (solid.columns + 1) / 2) {
+        double entries = 0.0;
+        for (const auto& t : solid.triangles) {
+            const Range r = range_of(t);
+            entries += static_cast<double>((r.x1 - r.x0 + 1) * (r.y1 - r.y0 + 1));
+        }
+        if (entries <= most_entries || solid.columns == 1)
+            break;
+    }
+    solid.cells.resize(solid.columns * solid.columns);
+    for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
+        const Range r = range_of(solid.triangles[i]);
+        for (std::size_t y = r.y0; y <= r.y1; ++y)
+            for (std::size_t x = r.x0; x <= r.x1; ++x)
+                solid.cells[y * solid.columns + x].push_back(static_cast<std::uint32_t>(i));
+    }
+}
+
 bool SceneSpace::is_inside(const Solid& solid, const Point3& p) noexcept {
     if (!is_within(solid.bounds, p))
         return false;
-    double sum = 0.0; // 4 pi times how often the surface winds around p
-    for (const auto& triangle : solid.triangles)
-        sum += signed_solid_angle(triangle, p);
-    // 1/2 on a face, less on an edge; inside 1 but for rounding.
-    constexpr double enough = 0.75;
-    return std::abs(sum) > enough * 4.0 * std::numbers::pi;
+    // Up from p, how often does one leave the object more than one enters it? A point next to
+    // an upright face is inside only if all places around it are.
+    for (const double dx : {-on_surface, on_surface})
+        for (const double dy : {-on_surface, on_surface}) {
+            const Point3 q{p.x + dx, p.y + dy, p.z};
+            const Bounds& b = solid.bounds;
+            const std::size_t n = solid.columns;
+            const std::size_t cell = cell_of(q.y, b.lower.y, b.upper.y, n) * n
+                                     + cell_of(q.x, b.lower.x, b.upper.x, n);
+            int leaves = 0;
+            for (const std::uint32_t i : solid.cells[cell]) {
+                const std::array<Point3, 3>& t = solid.triangles[i];
+                const Vector3 normal = cross(t[1] - t[0], t[2] - t[0]);
+                if (normal.z == 0.0 || !covers(t, q))
+                    continue;
+                const double z =
+                    t[0].z - (normal.x * (q.x - t[0].x) + normal.y * (q.y - t[0].y)) / normal.z;
+                if (std::abs(z - q.z) <= on_surface)
+                    return false;
+                if (z > q.z)
+                    leaves += normal.z > 0.0 ? 1 : -1;
+            }
+            if (leaves == 0)
+                return false;
+        }
+    return true;
 }
 
 std::optional<std::size_t> SceneSpace::object_around(const Point3& p) const noexcept {

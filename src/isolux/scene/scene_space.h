@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,12 +34,16 @@ public:
     [[nodiscard]] const std::vector<Room>& rooms() const noexcept { return rooms_; }
 
 private:
+    /// A closed object; its triangles sorted into the cells of a grid over its plan.
     struct Solid {
         std::size_t object = 0;
         Bounds bounds;
         std::vector<std::array<Point3, 3>> triangles;
+        std::size_t columns = 1; ///< and as many rows
+        std::vector<std::vector<std::uint32_t>> cells;
     };
 
+    static void sort_into_cells(Solid& solid);
     static bool is_inside(const Solid& solid, const Point3& p) noexcept;
 
     std::vector<Room> rooms_;

@@ -86,6 +86,13 @@ const Malformed grids[] = {
      R"([{"work_plane": {}, "grid": {"spacing": 0}}])",
      "#/surfaces/0/grid/spacing: 0 is too small (it must be above 0 m)",
      shape},
+    {"WallByName",
+     "surfaces",
+     R"([{"wall": "north"}])",
+     "#/surfaces/0/wall: a wall is an object {\"number\": 1} (found text). Wall 1 runs from "
+     "(0, "
+     "0) to (6, 0), wall 2 on to (6, 4), wall 3 on to (0, 4), wall 4 back to (0, 0)",
+     shape},
     {"RectangleInMillimetres",
      "surfaces",
      R"([{"rectangle": {"corner": [0, 0, 0.8], "u": [60000, 0, 0], "v": [0, 40000, 0]}}])",

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,35 @@ TEST(PlaceInspection, TakesPointsAtTheHeightOfTheTopForPointsOnIt) {
     const std::vector<Point3> on_top{{2, 1, 0.75}, {2.2, 0.9, 0.75}, {1.7, 1.1, 0.75}};
     EXPECT_THAT(inspect(make_office(0.75), {make_points(on_top)}), IsEmpty());
     EXPECT_THAT(inspect(make_office(0.45 + 0.3), {make_points(on_top)}), IsEmpty());
+}
+
+TEST(PlaceInspection, AgreesWithTheFormulaOfASlantedBoxAndACylinder) {
+    auto d = make_office();
+    const double turn = 0.4;
+    const UnitVector3 x = UnitVector3::from_unit({std::cos(turn), std::sin(turn), 0.0});
+    const UnitVector3 y = UnitVector3::from_unit({-std::sin(turn), std::cos(turn), 0.0});
+    const Frame frame{{2, 2, 0.5}, x, y, UnitVector3::from_unit({0, 0, 1})};
+    d.objects.clear();
+    d.objects.push_back(
+        {"box", make_box({1.0, 0.5, 0.8}).transformed({1, 1, 1}, frame), {MaterialId(0)}});
+    d.objects.push_back({"drum",
+                         make_cylinder(1.0, 1.5, 4000).transformed({1, 1, 1}, Frame{{4, 2, 0}}),
+                         {MaterialId(0)}});
+    const SceneSpace space(d);
+
+    for (double px = 1.02; px < 5.0; px += 0.093)
+        for (double py = 1.04; py < 3.0; py += 0.097)
+            for (const double pz : {0.25, 0.7, 1.4}) {
+                const Vector3 local = frame.point_to_local({px, py, pz});
+                const bool in_box = std::abs(local.x) < 0.5 && std::abs(local.y) < 0.25
+                                    && local.z > 0.0 && local.z < 0.8;
+                const bool in_drum = std::hypot(px - 4.0, py - 2.0) < 0.5 && pz < 1.5;
+                const auto found = space.object_around({px, py, pz});
+                EXPECT_EQ(found.has_value(), in_box || in_drum) << px << " " << py << " " << pz;
+                if (found) {
+                    EXPECT_EQ(*found, in_box ? 0U : 1U);
+                }
+            }
 }
 
 TEST(PlaceInspection, LooksIntoOpenAndTransparentObjects) {
