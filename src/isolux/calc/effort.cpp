@@ -90,8 +90,13 @@ Effort best_effort(const SharedTask& task, std::size_t paths, Cost&& total_cost)
     return best;
 }
 
+/// Many small units are worse than the model says: with more paths in each the weights leave
+/// less to the gather rays, and fewer corners to walks.
+constexpr double price_of_doubling = 0.15;
+
 double cost_with_units(const Outcome& o) {
-    return power_of_two_above(o.variance / aim, 1, most_units) * o.cost;
+    const double units = power_of_two_above(o.variance / aim, 1, most_units);
+    return units * o.cost * (1.0 + price_of_doubling * std::log2(units));
 }
 
 } // namespace

@@ -40,7 +40,7 @@ struct Effort {
 enum class PointEstimator : std::uint8_t { local, mis, path_tracing, study };
 
 inline constexpr std::size_t fewest_paths = 256;
-inline constexpr std::size_t most_paths = 65536;
+inline constexpr std::size_t most_paths = 16384;
 inline constexpr std::size_t fewest_draws = 4;
 inline constexpr std::size_t most_draws = 128;
 inline constexpr std::size_t most_directions = 128;
