@@ -21,6 +21,14 @@ protected:
     }
 };
 
+TEST_F(ReportVerb, AndOthersTakeTheFileOfResultsForItsFolder) {
+    calculate();
+    const std::string file = results_ + "/results.json";
+    EXPECT_EQ(run_program({"report", file}).out,
+              results_ + "/report.html\n" + results_ + "/report.pdf\n");
+    EXPECT_EQ(run_program({"view", file, "--probe", "1,1,1"}).exit_code, 0);
+}
+
 TEST_F(ReportVerb, WritesAgainWhatRunHasWritten) {
     calculate();
     const std::string html = read_text(results_ + "/report.html");

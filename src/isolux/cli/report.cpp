@@ -23,8 +23,9 @@ struct ReportOptions {
 };
 
 ExitCode write(const ReportOptions& o) {
-    const fs::path folder = o.folder;
-    const ResultsDocument document = read_results_json(find_results_file(o.folder));
+    const fs::path results = find_results_file(o.folder);
+    const fs::path folder = results.parent_path();
+    const ResultsDocument document = read_results_json(results);
     if (o.output.empty()) {
         report::write_reports(folder, document);
         print(fmt::format(

@@ -85,7 +85,8 @@ ExitCode view(const ViewOptions& o) {
                              "A name that ends in .png?");
         options.screenshot = o.screenshot;
     }
-    const ResultsDocument document = read_results_json(find_results_file(o.folder));
+    const fs::path results = find_results_file(o.folder);
+    const ResultsDocument document = read_results_json(results);
     if (!o.surface.empty())
         options.surface = find_surface(o.surface, document.results);
     if (options.probe) {
@@ -97,7 +98,7 @@ ExitCode view(const ViewOptions& o) {
         if (!options.screenshot)
             return ExitCode::success;
     }
-    view_results(document, o.folder, options);
+    view_results(document, results.parent_path(), options);
     if (options.screenshot)
         print(o.screenshot + "\n");
     return ExitCode::success;

@@ -195,13 +195,26 @@ make_room_observers(const JsonNode& node, const Room& room, ProjectReader& reade
     ObserverGroup group;
     group.name = room.name + " observers";
     group.room = room.name;
+    constexpr int directions = 4;
+    constexpr double rounding_up = 1.02; // of the grid's columns and rows
+    const double fewest = rounding_up
+                          * std::sqrt(directions * std::abs(signed_area(room.footprint))
+                                      / static_cast<double>(most_lines));
+    const double spacing = std::max(default_spacing, fewest);
+    if (spacing > default_spacing)
+        node.notice(fmt::format("the observers of room \"{}\" stand {:.3g} m apart (every {} m "
+                                "would make more than {} lines of sight)",
+                                room.name,
+                                spacing,
+                                default_spacing,
+                                most_lines));
     for (const Point3& eye : make_observer_grid(node,
                                                 room,
                                                 std::min(seated_head_height, room.height),
-                                                default_spacing,
+                                                spacing,
                                                 std::nullopt,
                                                 reader))
-        for (const UnitVector3& d : all_around(4, 0.0))
+        for (const UnitVector3& d : all_around(directions, 0.0))
             group.sight_lines.push_back({eye, d});
     return group;
 }

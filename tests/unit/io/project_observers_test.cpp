@@ -145,6 +145,20 @@ TEST(Scenes, SetLevelsOfGroupsTypesAndLuminaires) {
     EXPECT_EQ(p.scenes[2].factors, (std::vector<double>{1.0, 0.0, 1.0, 1.0, 1.0}));
 }
 
+TEST(Observers, OfAHugeRoomStandFurtherApart) {
+    const Project p = parse_project(
+        small_project({{"rooms", R"([{"name": "office", "size": [1000, 230], "height": 6}])"},
+                       {"requirements", R"([{"standard": "EN 12464-1", "row": "34.2"}])"}}),
+        "p.json");
+    ASSERT_EQ(p.observers.size(), 1U);
+    EXPECT_LE(p.observers[0].sight_lines.size(), 100'000U);
+    EXPECT_GT(p.observers[0].sight_lines.size(), 80'000U);
+    ASSERT_EQ(p.notices.size(), 1U);
+    EXPECT_EQ(to_string(p.notices[0]),
+              "p.json:5: #/requirements/0: the observers of room \"office\" stand 3.09 m apart "
+              "(every 2 m would make more than 100000 lines of sight)");
+}
+
 TEST(Scenes, NoticeLevelsAboveOne) {
     const Project p = parse_project(
         small_project(
