@@ -13,9 +13,11 @@ TEST(CheckVerb, SumsUpAGoodProject) {
     EXPECT_EQ(ran.out,
               "small office: 1 room, 0 objects, 5 luminaires, 2 calculation surfaces with 7 "
               "points; 13200 lm over 24 m2 of floor, 550 lm/m2\n"
-              "luminaires: 4 x linear: 4000 lm each, 12800 lm in all as hung; long side 1.2 m "
+              "luminaires: 4 x linear: 4000 lm each x 0.8 (maintenance, dimming), 12800 lm in "
+              "all as hung; long side 1.2 m "
               "along world x\n"
-              "luminaires: 1 x bulb: 500 lm each, 400 lm in all as hung; no long side\n"
+              "luminaires: 1 x bulb: 500 lm each x 0.8 (maintenance, dimming), 400 lm in all "
+              "as hung; no long side\n"
               "surface: office work plane, 6 points in a grid of 3 x 2\n"
               "surface: desk/1, 1 point\n"
               "no errors, nothing odd\n");

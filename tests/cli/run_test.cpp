@@ -55,19 +55,22 @@ TEST_F(RunVerb, WritesEveryKindOfResult) {
 
 TEST_F(RunVerb, PrintsASummary) {
     const Ran ran = run({"--tolerance", "5%"});
-    for (const char* text :
-         {"small office\n",
-          "surface            points",
-          "Em [lx]",
-          "office work plane       6",
-          "desk/1                  1",
-          "+- is half the 95 % confidence interval",
-          "flux: 13200 lm emitted = ",
-          "light paths",
-          "luminaires: 4 x linear: 4000 lm each, 12800 lm in all as hung; long "
-          "side 1.2 m along world x",
-          "luminaires: 1 x bulb: 500 lm each, 400 lm in all as hung; no long side",
-          "results.json"})
+    for (const char* text : {"small office\n",
+                             "surface            points",
+                             "Em [lx]",
+                             "office work plane       6",
+                             "desk/1                  1",
+                             "+- is half the 95 % confidence interval",
+                             "flux: 13200 lm emitted = ",
+                             "light paths",
+                             "luminaires: 4 x linear: 4000 lm each x 0.8 (maintenance, "
+                             "dimming), 12800 lm in all as hung; long "
+                             "side 1.2 m along world x",
+                             "luminaires: 1 x bulb: 500 lm each x 0.8 (maintenance, dimming), "
+                             "400 lm in all as hung; no long side",
+                             "values are maintained ones: maintenance factor 0.8\n",
+                             "all done in ",
+                             "results.json"})
         EXPECT_TRUE(contains(ran.out, text)) << text << "\n" << ran.out;
     EXPECT_EQ(ran.err, "");
 }

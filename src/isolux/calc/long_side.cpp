@@ -76,11 +76,18 @@ std::vector<std::string> describe_luminaires(std::span<const LuminaireType> type
         }
         if (frames.empty())
             continue;
-        lines.push_back(fmt::format("{} x {}{}: {:.0f} lm each, {:.0f} lm in all as hung; {}",
+        const double each = in_lumen(luminous_flux(types[t]));
+        const double all = each * static_cast<double>(frames.size());
+        const double kept = all > 0.0 ? flux / all : 1.0;
+        const std::string factor = std::abs(kept - 1.0) < 5e-4
+                                       ? ""
+                                       : fmt::format(" x {:.3g} (maintenance, dimming)", kept);
+        lines.push_back(fmt::format("{} x {}{}: {:.0f} lm each{}, {:.0f} lm in all as hung; {}",
                                     frames.size(),
                                     types[t].name,
                                     types[t].file.empty() ? "" : " (" + types[t].file + ")",
-                                    in_lumen(luminous_flux(types[t])),
+                                    each,
+                                    factor,
                                     flux,
                                     describe_long_side(types[t], frames)));
     }

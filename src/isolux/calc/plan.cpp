@@ -97,6 +97,38 @@ bool is_round(OpeningShape s) {
            || s == OpeningShape::ellipsoid;
 }
 
+/// "wall 2" of "office/wall 2"; nothing of "desk 1".
+std::string part_of(const std::string& name) {
+    const std::size_t slash = name.rfind('/');
+    return slash == std::string::npos ? std::string{} : name.substr(slash + 1);
+}
+
+/// One for each surface; what is alike in everything but its place counts once with the sum of
+/// the areas. Bodies of luminaires are left out.
+std::vector<PlanFinish> find_finishes(const Scene& scene) {
+    std::vector<PlanFinish> finishes;
+    for (const Surface& s : scene.surfaces) {
+        if (s.triangles == 0)
+            continue;
+        const MaterialId id = scene.triangles[s.first_triangle].material;
+        if (id.index() + 1 == scene.materials.size())
+            continue;
+        const Material& material = scene.material(id);
+        PlanFinish f{owner(s.name), part_of(s.name), material.name, s.area};
+        f.is_room = s.is_shell;
+        if (const auto* opaque = std::get_if<Opaque>(&material.scattering)) {
+            f.reflectance = luminance_sum(opaque->diffuse);
+            f.mirror = opaque->mirror;
+        } else if (const auto* pane = std::get_if<ClearPane>(&material.scattering)) {
+            const SlabOptics optics = evaluate_slab(*pane, 1.0);
+            f.mirror = optics.reflectance;
+            f.transmittance = optics.transmittance;
+        }
+        finishes.push_back(std::move(f));
+    }
+    return finishes;
+}
+
 } // namespace
 
 Polyline convex_hull(Polyline points) {
@@ -219,6 +251,9 @@ Plan make_plan(const Scene& scene) {
     }
     for (const auto& [name, triangles] : objects)
         plan.objects.push_back(make_outline(name, triangles));
+    for (const SceneOpening& o : scene.openings)
+        plan.openings.push_back({o.room, o.name, o.from, o.to, o.sill, o.height, o.state});
+    plan.finishes = find_finishes(scene);
     for (const LuminaireType& type : scene.luminaire_types)
         plan.types.push_back(make_plan_type(type));
     for (const Luminaire& luminaire : scene.luminaires) {

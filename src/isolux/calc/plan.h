@@ -62,6 +62,29 @@ struct PlanType {
     PolarCurves curves{};
 };
 
+/// A door, a window or a hole in a wall, seen from above.
+struct PlanOpening {
+    std::string room;
+    std::string name;
+    Point2 from{};
+    Point2 to{};
+    double sill = 0.0;   ///< m above the floor
+    double height = 0.0; ///< m
+    OpeningState state = OpeningState::open;
+};
+
+/// What a piece of a room or an object is made of.
+struct PlanFinish {
+    std::string owner;          ///< room or object
+    std::string part;           ///< "floor", "wall 2", ...; empty for an object of one piece
+    std::string material;       ///< its name; may be empty
+    double area = 0.0;          ///< m2
+    double reflectance = 0.0;   ///< diffuse, of white light
+    double mirror = 0.0;        ///< share reflected as by a mirror
+    double transmittance = 0.0; ///< of a pane, at normal incidence
+    bool is_room = false;
+};
+
 /// What floor plans, maps and reports show of a scene besides light. Extracted once, drawn
 /// often.
 struct Plan {
@@ -69,6 +92,8 @@ struct Plan {
     std::vector<PlanOutline> objects; ///< furniture and imports, not bodies of luminaires
     std::vector<PlanLuminaire> luminaires;
     std::vector<PlanType> types;
+    std::vector<PlanOpening> openings{};
+    std::vector<PlanFinish> finishes{};
 };
 
 [[nodiscard]] Plan make_plan(const Scene& scene);

@@ -44,9 +44,9 @@ struct RunOptions {
     bool is_quiet = false;
 };
 
-/// Rays a pixel of the views; fewer where the tolerance is reached before. `isolux render` does
-/// better pictures.
-constexpr std::size_t samples_of_views = 8;
+/// Rays a pixel of the views, which are previews; fewer where the tolerance is reached before.
+/// `isolux render` does better pictures.
+constexpr std::size_t samples_of_views = 4;
 
 /// Stems of one file a surface, none of which is `reserved`.
 std::vector<std::string> surface_stems(const Results& results,
@@ -117,6 +117,8 @@ to_report(const ResultsDocument& document, const Scene& scene, const fs::path& f
                        + to_verdict_table(document.results) + to_run_facts(document.results);
     for (const std::string& line : describe_luminaires(scene.luminaire_types, placements))
         text += "luminaires: " + line + "\n";
+    text += to_maintenance_line(document.schedule);
+    text += to_scene_lines(document.results);
     return text
            + fmt::format("results: {} (results.json, .xlsx, .csv, .vtp), maps and plan: {}\n"
                          "report: {}, {}\n",
@@ -151,6 +153,7 @@ std::vector<std::string> render_views_of(const Scene& scene,
     make_folder(folder);
     RenderSettings render;
     render.samples = samples_of_views;
+    render.is_preview = true;
     render.tolerance = settings.tolerance;
     render.seed = settings.seed;
     render.direct_only = settings.direct_only;
@@ -162,6 +165,7 @@ std::vector<std::string> render_views_of(const Scene& scene,
 }
 
 ExitCode run_project(const RunOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
     const InterruptGuard interrupt; // before the first worker thread starts
     const auto limit = limit_threads(options.calculation);
     Settings settings = apply(options.calculation, {}); // complain before the long work
@@ -210,6 +214,12 @@ ExitCode run_project(const RunOptions& options) {
             print(picture + "\n");
         print("pictures: " + (folder / "views").string() + "\n");
     }
+    if (!options.is_quiet)
+        print(
+            "all done in "
+            + format_seconds(
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count())
+            + "\n");
     flush_output();
     for (const Message& notice : document.results.notices)
         report_notice(notice);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "isolux/calc/judge.h"
 #include "isolux/cli/terminal.h"
 #include "isolux/cli/text_table.h"
 #include "isolux/measure/quantity.h"
@@ -130,6 +131,37 @@ std::string to_run_facts(const Results& results) {
         format_number(results.rays.path + results.rays.shadow + results.rays.gather),
         format_number(results.paths));
     return text;
+}
+
+std::string to_maintenance_line(const std::vector<ScheduleEntry>& schedule) {
+    std::vector<double> factors;
+    for (const ScheduleEntry& e : schedule)
+        if (e.count > 0 && std::ranges::find(factors, e.maintenance.value) == factors.end())
+            factors.push_back(e.maintenance.value);
+    if (factors.empty())
+        return {};
+    if (factors.size() == 1 && factors.front() == 1.0)
+        return "values are initial ones: the maintenance factor is 1\n";
+    std::string text;
+    for (const double f : factors)
+        text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", f);
+    return fmt::format("values are maintained ones: maintenance factor {}\n", text);
+}
+
+std::string to_scene_lines(const Results& results) {
+    std::string text;
+    for (const SceneResult& scene : results.scenes) {
+        text += "scene " + scene.name + ":";
+        for (std::size_t s = 0; s < scene.surfaces.size(); ++s)
+            text += fmt::format("{} {} Em {} lx",
+                                s == 0 ? "" : ",",
+                                results.surfaces[s].surface.name,
+                                format_estimate(scene.surfaces[s].mean, results.confidence));
+        if (!scene.verdicts.empty())
+            text += fmt::format("; verdict {}", to_word(overall(scene.verdicts)));
+        text += "\n";
+    }
+    return text.empty() ? text : text + "`isolux scenes` tells more of them\n";
 }
 
 } // namespace isolux

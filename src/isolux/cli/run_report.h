@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "isolux/calc/project.h"
 #include "isolux/calc/results.h"
 
 namespace isolux {
@@ -18,6 +20,12 @@ namespace isolux {
 /// value are more than a standard error apart, METHODS 3.7, and what the asterisk says. Empty
 /// if there is nothing to tell.
 [[nodiscard]] std::string to_statistics_notes(const Results& results);
+
+/// "values are maintained ones: maintenance factor 0.8", or that they are initial ones.
+[[nodiscard]] std::string to_maintenance_line(const std::vector<ScheduleEntry>& schedule);
+
+/// One line a light scene: the mean illuminance of each surface and the verdict.
+[[nodiscard]] std::string to_scene_lines(const Results& results);
 
 /// Flux balance, time, rays and paths, one line each.
 [[nodiscard]] std::string to_run_facts(const Results& results);

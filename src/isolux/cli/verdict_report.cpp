@@ -95,7 +95,8 @@ std::string to_verdict_table(const Results& results) {
     if (results.verdicts.empty())
         return {};
     std::vector<Verdict> verdicts = results.verdicts;
-    std::ranges::stable_sort(verdicts, {}, [](const Verdict& v) { return rank_of(v.decision); });
+    std::ranges::stable_sort(
+        verdicts, {}, [](const Verdict& v) { return rank_of(v.decision); });
     TextTable table({{"verdict", Align::left},
                      {"what", Align::left},
                      {"where", Align::left},
@@ -121,10 +122,10 @@ std::string to_verdict_table(const Results& results) {
                        r.row,
                        remark});
     }
-    std::string text = to_headline(results.verdicts) + table.text()
-                       + to_row_list(results.verdicts)
-                       + "intervals of verdicts allow for every look at the errors on the way, so "
-                         "they are wider than those above; margin: from the value to the limit\n";
+    std::string text =
+        to_headline(results.verdicts) + table.text() + to_row_list(results.verdicts)
+        + "intervals of verdicts allow for every look at the errors on the way, so "
+          "they are wider than those above; margin: from the value to the limit\n";
     if (recalled > 0)
         text += fmt::format("{} of {} limits are recalled, not compared with the printed "
                             "standard (`isolux standards` tells which)\n",
@@ -156,7 +157,8 @@ std::string to_observer_table(const Results& results) {
                                    without_dust(line.direction.y()),
                                    without_dust(line.direction.z()));
             cells[6] = o.by_table ? fmt::format("{:.1f} by {}", *o.by_table, o.table_note)
-                                  : "no value by the table method: " + o.table_note;
+                       : o.table_note.empty() ? ""
+                                              : "no value by " + o.table_note;
         } else if (!o.ratings.empty()) {
             cells[6] = o.ratings.front().reason;
         }

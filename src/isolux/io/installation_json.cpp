@@ -89,6 +89,63 @@ Json to_json(const std::vector<PlanOutline>& outlines) {
     return json;
 }
 
+constexpr std::array<const char*, 3> states{"open", "closed", "glazed"};
+
+Json to_json(const PlanOpening& o) {
+    return {{"room", o.room},
+            {"name", o.name},
+            {"from", Json::array({o.from.x, o.from.y})},
+            {"to", Json::array({o.to.x, o.to.y})},
+            {"sill", o.sill},
+            {"height", o.height},
+            {"state", states[static_cast<std::size_t>(o.state)]}};
+}
+
+Json to_json(const PlanFinish& f) {
+    return {{"of", f.owner},
+            {"part", f.part},
+            {"is_room", f.is_room},
+            {"material", f.material},
+            {"area_m2", f.area},
+            {"reflectance", f.reflectance},
+            {"mirror", f.mirror},
+            {"transmittance", f.transmittance}};
+}
+
+Point2 to_point2(const ResultsNode& node) {
+    const std::vector<double> xy = node.numbers();
+    if (xy.size() != 2)
+        node.fail("not a pair of numbers");
+    return {xy[0], xy[1]};
+}
+
+PlanOpening to_plan_opening(const ResultsNode& node) {
+    PlanOpening o{node.at("room").text(),
+                  node.at("name").text(),
+                  to_point2(node.at("from")),
+                  to_point2(node.at("to")),
+                  node.at("sill").number(),
+                  node.at("height").number()};
+    const std::string word = node.at("state").text();
+    for (std::size_t k = 0; k < states.size(); ++k)
+        if (word == states[k]) {
+            o.state = static_cast<OpeningState>(k);
+            return o;
+        }
+    node.at("state").fail("unknown state '" + word + "'");
+}
+
+PlanFinish to_finish(const ResultsNode& node) {
+    return {node.at("of").text(),
+            node.at("part").text(),
+            node.at("material").text(),
+            node.at("area_m2").number(),
+            node.at("reflectance").number(),
+            node.at("mirror").number(),
+            node.at("transmittance").number(),
+            node.at("is_room").boolean()};
+}
+
 LuminousOpening to_opening(const ResultsNode& node) {
     const std::string word = node.at("shape").text();
     for (int k = 0; k <= static_cast<int>(OpeningShape::vertical_ellipse); ++k)
@@ -196,6 +253,12 @@ std::string to_installation_json(const Plan& plan) {
         json["luminaires"].push_back(to_json(l, plan));
     json["rooms"] = to_json(plan.rooms);
     json["objects"] = to_json(plan.objects);
+    json["openings"] = Json::array();
+    for (const PlanOpening& o : plan.openings)
+        json["openings"].push_back(to_json(o));
+    json["finishes"] = Json::array();
+    for (const PlanFinish& f : plan.finishes)
+        json["finishes"].push_back(to_json(f));
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -203,6 +266,12 @@ Plan parse_installation(const ResultsNode& node) {
     Plan plan;
     plan.rooms = to_outlines(node.at("rooms"));
     plan.objects = to_outlines(node.at("objects"));
+    if (const auto openings = node.find("openings")) // results of 0.1.0 before November 2026
+        for (const ResultsNode& o : openings->items())
+            plan.openings.push_back(to_plan_opening(o));
+    if (const auto finishes = node.find("finishes"))
+        for (const ResultsNode& f : finishes->items())
+            plan.finishes.push_back(to_finish(f));
     for (const ResultsNode& t : node.at("luminaire_types").items())
         plan.types.push_back(to_type(t));
     for (const ResultsNode& l : node.at("luminaires").items())

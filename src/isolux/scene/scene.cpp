@@ -165,6 +165,29 @@ Point3 middle_of(const SceneBuilder& built, const std::vector<Luminaire>& lumina
     return midpoint(b.lower, b.upper);
 }
 
+/// Where the openings of the rooms' walls are.
+std::vector<SceneOpening> find_openings(const std::vector<Room>& rooms) {
+    std::vector<SceneOpening> openings;
+    for (const Room& room : rooms)
+        for (const WallOpening& o : room.openings) {
+            const Point2& a = room.footprint[o.wall];
+            const Point2& b = room.footprint[(o.wall + 1) % room.footprint.size()];
+            const double length = std::hypot(b.x - a.x, b.y - a.y);
+            const auto at = [&](double along) {
+                const double t = along / length;
+                return Point2{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+            };
+            openings.push_back({room.name,
+                                o.name,
+                                at(o.offset),
+                                at(o.offset + o.width),
+                                o.sill,
+                                o.height,
+                                o.state});
+        }
+    return openings;
+}
+
 } // namespace
 
 Scene build_scene(SceneDescription description) {
@@ -195,7 +218,8 @@ Scene build_scene(SceneDescription description) {
             std::move(luminaires),
             bounds,
             total_area,
-            std::move(caster)};
+            std::move(caster),
+            find_openings(description.rooms)};
 }
 
 } // namespace isolux

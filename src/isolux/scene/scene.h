@@ -39,6 +39,17 @@ struct Surface {
     bool is_shell = false;
 };
 
+/// A door, a window or a hole in a wall of a room.
+struct SceneOpening {
+    std::string room;
+    std::string name;
+    Point2 from; ///< its ends along the wall
+    Point2 to;
+    double sill = 0.0;   ///< m above the floor
+    double height = 0.0; ///< m
+    OpeningState state = OpeningState::open;
+};
+
 struct SceneTriangle {
     std::array<Point3, 3> corner;
     UnitVector3 normal; ///< of the front; rooms' shells face inwards
@@ -62,6 +73,7 @@ struct Scene {
     Bounds bounds;
     double total_area = 0.0; ///< m2 of all triangles, one side
     RayCaster caster;
+    std::vector<SceneOpening> openings;
 
     [[nodiscard]] const SceneTriangle& triangle(TriangleId id) const noexcept {
         return triangles[id.index()];

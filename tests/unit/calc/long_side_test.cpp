@@ -60,10 +60,10 @@ TEST(DescribeLuminaires, CountsThemAndTheirFlux) {
     LuminairePlacement placement;
     placement.scale = 0.8;
     const std::vector<LuminairePlacement> placements{placement, placement};
-    EXPECT_EQ(
-        describe_luminaires(types, placements),
-        (std::vector<std::string>{"2 x linear: 4800 lm each, 7680 lm in all as hung; long "
-                                  "side 1.2 m along world x"}));
+    EXPECT_EQ(describe_luminaires(types, placements),
+              (std::vector<std::string>{"2 x linear: 4800 lm each x 0.8 (maintenance, "
+                                        "dimming), 7680 lm in all as hung; long "
+                                        "side 1.2 m along world x"}));
 }
 
 LuminaireType read_type(const std::string& name) {

@@ -31,6 +31,34 @@ SurfaceResult make_surface(const char* name, bool converged) {
     return s;
 }
 
+TEST(MaintenanceLine, SaysWhetherValuesAreMaintainedOnes) {
+    ScheduleEntry a;
+    a.count = 2;
+    a.maintenance.value = 0.8;
+    EXPECT_EQ(to_maintenance_line({a, a}),
+              "values are maintained ones: maintenance factor 0.8\n");
+    ScheduleEntry b = a;
+    b.maintenance.value = 0.67;
+    EXPECT_EQ(to_maintenance_line({a, b}),
+              "values are maintained ones: maintenance factor 0.8, 0.67\n");
+    a.maintenance.value = 1.0;
+    EXPECT_EQ(to_maintenance_line({a}),
+              "values are initial ones: the maintenance factor is 1\n");
+    EXPECT_EQ(to_maintenance_line({}), "");
+}
+
+TEST(SceneLines, HaveTheMeanOfEverySurface) {
+    Results results;
+    EXPECT_EQ(to_scene_lines(results), "");
+    results.surfaces.push_back(make_surface("desk", true));
+    SceneResult scene;
+    scene.name = "evening";
+    scene.surfaces.push_back(results.surfaces[0].summary);
+    results.scenes.push_back(scene);
+    EXPECT_EQ(to_scene_lines(results),
+              "scene evening: desk Em 500.0 +-2.1 lx\n`isolux scenes` tells more of them\n");
+}
+
 TEST(SummaryTable, HasOneLineASurface) {
     Results results;
     results.surfaces.push_back(make_surface("desk", true));

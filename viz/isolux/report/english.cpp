@@ -31,8 +31,10 @@ Texts make_english() {
         "not "
         "met where it lies on the wrong side, undecided where the limit lies inside the "
         "interval; "
-        "the intervals hold at {} confidence. The margin is the distance of the value from the "
-        "limit, positive on the right side.";
+        "the intervals hold at {} confidence for every look at the errors that the calculation "
+        "took before it stopped, and are therefore wider than those of the single figures in "
+        "this report. The margin is the distance of the value from the limit, positive on the "
+        "right side.";
     t.verdict_caption = "Requirements and what was found";
     t.requirement = "Requirement";
     t.standard = "Standard";
@@ -152,6 +154,14 @@ Texts make_english() {
     t.room_alternative =
         "Plan of {} with wall lengths, {} luminaires and {} calculation surfaces";
     t.rooms_table = "Rooms of the project";
+    t.finishes_table = "Surfaces as calculated: area, and the shares of light they reflect "
+                       "diffusely, reflect as a mirror and let pass";
+    t.room_or_object = "Room or object";
+    t.part = "Part";
+    t.material = "Material";
+    t.diffuse_share = "Reflectance";
+    t.mirror_share = "Mirror";
+    t.transmittance = "Transmittance";
     t.room = "Room";
     t.area = "Floor area, m²";
     t.height = "Height, m";

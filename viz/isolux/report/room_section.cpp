@@ -7,6 +7,63 @@
 
 namespace isolux::report {
 
+namespace {
+
+std::string share(double v) { return v > 0.0 ? fmt::format("{:.3g}", v) : "–"; }
+
+/// Rows of what is made alike: parts of a room each, objects of one material together.
+std::vector<PlanFinish> gather_finishes(const std::vector<PlanFinish>& all) {
+    std::vector<PlanFinish> rows;
+    std::vector<std::size_t> counts;
+    const auto is_alike = [](const PlanFinish& a, const PlanFinish& b) {
+        return a.is_room == b.is_room && a.material == b.material
+               && a.reflectance == b.reflectance && a.mirror == b.mirror
+               && a.transmittance == b.transmittance && (!a.is_room || a.owner == b.owner);
+    };
+    for (const PlanFinish& f : all) {
+        std::size_t k = 0;
+        while (k < rows.size() && !is_alike(rows[k], f))
+            ++k;
+        if (k == rows.size()) {
+            rows.push_back(f);
+            counts.push_back(1);
+            continue;
+        }
+        rows[k].area += f.area;
+        ++counts[k];
+        if (f.is_room)
+            rows[k].part += ", " + f.part;
+        else if (counts[k] <= 4 && f.owner != all[k].owner)
+            rows[k].owner += ", " + f.owner;
+        else if (counts[k] == 5)
+            rows[k].owner += ", ...";
+    }
+    return rows;
+}
+
+Table make_finish_table(const std::vector<PlanFinish>& finishes, const Texts& t) {
+    Table table{t.finishes_table,
+                {{t.room_or_object},
+                 {t.part},
+                 {t.material},
+                 {t.area, true},
+                 {t.diffuse_share, true},
+                 {t.mirror_share, true},
+                 {t.transmittance, true}},
+                {}};
+    for (const PlanFinish& f : gather_finishes(finishes))
+        table.rows.push_back({{f.owner},
+                              {f.part},
+                              {f.material},
+                              {fmt::format("{:.2f}", f.area), f.area},
+                              {share(f.reflectance), f.reflectance},
+                              {share(f.mirror), f.mirror},
+                              {share(f.transmittance), f.transmittance}});
+    return table;
+}
+
+} // namespace
+
 Section make_room_section(const ResultsDocument& d, const Texts& t) {
     Section section{"rooms", t.rooms, {}};
     std::vector<CalculationSurface> surfaces;
@@ -25,6 +82,8 @@ Section make_room_section(const ResultsDocument& d, const Texts& t) {
                               {fmt::format("{:.0f}", luminaires), luminaires}});
     }
     section.blocks.emplace_back(std::move(table));
+    if (!d.plan.finishes.empty())
+        section.blocks.emplace_back(make_finish_table(d.plan.finishes, t));
     for (const PlanOutline& room : d.plan.rooms)
         section.blocks.emplace_back(
             Figure{draw_room(room, d.plan, surfaces, d.project_name),

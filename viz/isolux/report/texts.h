@@ -144,6 +144,13 @@ struct Texts {
     std::string room_caption;     ///< room
     std::string room_alternative; ///< room, number of luminaires, calculation surfaces
     std::string rooms_table;
+    std::string finishes_table;
+    std::string room_or_object;
+    std::string part;
+    std::string material;
+    std::string diffuse_share;
+    std::string mirror_share;
+    std::string transmittance;
     std::string room;
     std::string area;
     std::string height;

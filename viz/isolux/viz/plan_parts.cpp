@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "isolux/viz/drawing_parts.h"
 #include "isolux/viz/label_layout.h"
 #include "isolux/viz/plan_symbols.h"
 
@@ -86,6 +88,34 @@ void draw_surfaces(MapPage& page, std::span<const CalculationSurface> surfaces) 
     }
 }
 
+/// A wall's line is interrupted: a thin double line for glass, two jambs and a thin line for a
+/// leaf, jambs alone for a hole.
+void draw_openings(MapPage& page, const Plan& plan) {
+    constexpr double jamb = 1.1; // mm, half
+    constexpr double gap = 0.45; // mm, half, between the lines of a window
+    const Stroke thin{ink::black, 0.2, 0.0};
+    const Stroke erase{ink::white, 0.8, 0.0};
+    for (const PlanOpening& o : plan.openings) {
+        const Point2 a = page.to_page(o.from);
+        const Point2 b = page.to_page(o.to);
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        if (!(length > 0.0))
+            continue;
+        const Point2 across{-(b.y - a.y) / length, (b.x - a.x) / length};
+        const auto beside = [&](const Point2& p, double d) {
+            return Point2{p.x + d * across.x, p.y + d * across.y};
+        };
+        page.add(make_line({a, b}, erase));
+        for (const Point2& end : {a, b})
+            page.add(make_line({beside(end, -jamb), beside(end, jamb)}, thin));
+        if (o.state == OpeningState::glazed)
+            for (const double d : {-gap, gap})
+                page.add(make_line({beside(a, d), beside(b, d)}, thin));
+        else if (o.state == OpeningState::closed)
+            page.add(make_line({a, b}, thin));
+    }
+}
+
 void number_luminaires(MapPage& page, LabelLayout& layout, const Plan& plan) {
     const std::vector<Polyline> frame{page.frame()};
     for (const PlanLuminaire& l : plan.luminaires) {
@@ -149,6 +179,16 @@ std::vector<LegendEntry> make_plan_entries(const Plan& plan, bool has_surfaces) 
         entries.push_back(line_entry(surface_line, "calculation surface"));
     if (!plan.rooms.empty())
         entries.push_back(line_entry(room_line, "room"));
+    const auto has = [&](OpeningState state) {
+        return std::ranges::any_of(plan.openings,
+                                   [state](const PlanOpening& o) { return o.state == state; });
+    };
+    if (has(OpeningState::glazed))
+        entries.push_back({{}, "double thin line in a wall: window"});
+    if (has(OpeningState::closed))
+        entries.push_back({{}, "thin line in a wall: closed door"});
+    if (has(OpeningState::open))
+        entries.push_back({{}, "gap in a wall: opening"});
     return entries;
 }
 
@@ -158,6 +198,7 @@ void draw_plan_parts(MapPage& page,
     draw_faces(page, plan.objects, ink::furniture);
     draw_lines(page, plan.objects, object_line);
     draw_lines(page, plan.rooms, room_line);
+    draw_openings(page, plan);
     draw_surfaces(page, surfaces);
     for (const PlanLuminaire& l : plan.luminaires)
         draw_luminaire(page, l, style_of(l.type));
