@@ -16,9 +16,8 @@ constexpr double widest_spacing = 0.25;
 
 /// In plan, counter-clockwise or not. Empty for what is no level grid.
 std::vector<Point2> outline_of(const CalculationSurface& s) {
-    constexpr double level = 1.0 - 1e-9;
     std::vector<Point2> plan;
-    if (!s.grid || s.grid->frame.z.z() < level)
+    if (!is_level_grid(s))
         return plan;
     if (!s.outline.empty()) {
         for (const Point3& p : s.outline)
@@ -107,6 +106,11 @@ bool covers(const LuminaireType& type, const LuminairePlacement& l, const Point3
 }
 
 } // namespace
+
+bool is_level_grid(const CalculationSurface& surface) {
+    constexpr double level = 1.0 - 1e-9;
+    return surface.grid && surface.grid->frame.z.z() >= level;
+}
 
 std::optional<CalculationSurface> make_surrounding(const CalculationSurface& task,
                                                    const Room* room) {

@@ -12,6 +12,9 @@ inline constexpr double seated_head_height = 1.2; ///< m
 inline constexpr double surrounding_width = 0.5;  ///< m
 inline constexpr double background_width = 3.0;   ///< m, next to the immediate surroundings
 
+/// Whether a surface is a grid that faces up, around which there can be a band.
+[[nodiscard]] bool is_level_grid(const CalculationSurface& surface);
+
 /// The band of 0.5 m around a level task area, at its height, inside the room and off the edge
 /// zone along its walls. Nothing where the task area leaves no such band, or is no level grid.
 /// @param room  may be null: no walls

@@ -16,26 +16,32 @@ namespace isolux {
 
 namespace {
 
-/// Where a requirement looks: surfaces of the project, or why there is none.
+/// Where a requirement looks: surfaces of the project, and why one is missing.
 struct Places {
     std::vector<std::size_t> surfaces;
     std::string reason;
 };
 
+/// What stands for the grid of observers that isolux adds.
+constexpr std::string_view grid_word = "grid";
+
 /// One entry of "requirements".
 class RequirementReader {
 public:
-    RequirementReader(const JsonNode& node, ProjectReader& reader)
-        : object_(node,
-                  "a requirement",
-                  {"standard", "row", "room", "area", "modified", "areas", "leave_out"}),
-          reader_(reader) {}
+    /// @param own_groups  how many groups of observers the project itself names
+    RequirementReader(const JsonNode& node, ProjectReader& reader, std::size_t own_groups)
+        : object_(
+            node,
+            "a requirement",
+            {"standard", "row", "room", "area", "modified", "areas", "leave_out", "observers"}),
+          reader_(reader), own_groups_(own_groups) {}
 
     void read(const std::vector<Standard>& standards) {
         const Standard* standard = find_standard(standards);
         const StandardRow* row = standard != nullptr ? find_wanted_row(*standard) : nullptr;
         room_ = find_room_of();
         read_own_areas();
+        read_own_observers();
         if (row == nullptr || has_failed_)
             return;
         const bool modified = object_.boolean("modified", false);
@@ -177,6 +183,36 @@ private:
                         is_space ? "cylindrical illuminance" : "illuminance on a plane"));
     }
 
+    /// "observers": groups that the user names himself, and the grid.
+    void read_own_observers() {
+        const std::optional<JsonNode> node = object_.find("observers");
+        if (!node)
+            return;
+        std::vector<std::string> names;
+        for (std::size_t g = 0; g < own_groups_; ++g)
+            names.push_back(groups()[g].name);
+        const bool has_group_grid = std::ranges::find(names, grid_word) != names.end();
+        names.emplace_back(grid_word);
+        for (const std::string& name : names_of(*node)) {
+            if (name == grid_word && has_group_grid) {
+                node->error(
+                    "\"grid\" may be the group of that name or the grid that isolux adds "
+                    "(which one is meant?)",
+                    "Give the group another name?");
+                has_failed_ = true;
+            } else if (std::ranges::find(names, name) == names.end()) {
+                node->error(
+                    fmt::format("unknown observers \"{}\" (neither the name of a group in "
+                                "observers nor \"grid\")",
+                                name),
+                    did_you_mean(name, names));
+                has_failed_ = true;
+            }
+            if (std::ranges::find(named_observers_, name) == named_observers_.end())
+                named_observers_.push_back(name);
+        }
+    }
+
     // ---- surfaces that follow from it -------------------------------------------------------
 
     void add(const Requirement& r) {
@@ -198,33 +234,100 @@ private:
         reader_.project.requirements.push_back(std::move(asked));
     }
 
-    /// One verdict for each group of the room; indoors a group is made where there is none.
+    /// One verdict for each group that is asked.
     void add_for_observers(ProjectRequirement asked) {
         const bool is_outdoor = asked.requirement.quantity == RequiredQuantity::glare_rating;
-        std::vector<ObserverGroup>& groups = reader_.project.observers;
-        const auto is_meant = [&](const ObserverGroup& g) {
-            return (g.scale == GlareScale::outdoor) == is_outdoor
-                   && (room_ == nullptr || g.room == room_->name);
-        };
-        if (room_ != nullptr && !is_outdoor && std::ranges::none_of(groups, is_meant)) {
-            ObserverGroup made = make_room_observers(object_.node(), *room_, reader_);
-            if (!made.sight_lines.empty())
-                groups.push_back(std::move(made));
-        }
-        bool has_any = false;
-        for (std::size_t g = 0; g < groups.size(); ++g) {
-            if (!is_meant(groups[g]))
-                continue;
-            has_any = true;
+        const GlareScale scale = is_outdoor ? GlareScale::outdoor : GlareScale::unified;
+        const std::vector<std::size_t> chosen =
+            named_observers_.empty() ? find_observers(asked.requirement, scale)
+                                     : observers_by_name(asked.requirement, scale);
+        for (const std::size_t g : chosen) {
             asked.observers = g;
-            asked.subject = groups[g].name;
+            asked.subject = groups()[g].name;
             reader_.project.requirements.push_back(asked);
         }
-        if (has_any)
+        if (!chosen.empty())
             return;
         asked.subject = "observers";
         asked.reason = "the project has no observers of this kind";
         reader_.project.requirements.push_back(std::move(asked));
+    }
+
+    std::vector<std::size_t> observers_by_name(const Requirement& r, GlareScale scale) {
+        const JsonNode node = *object_.find("observers");
+        std::vector<std::size_t> chosen;
+        for (const std::string& name : named_observers_) {
+            if (name == grid_word) {
+                if (scale == GlareScale::outdoor || room_ == nullptr)
+                    node.error(
+                        scale == GlareScale::outdoor
+                            ? "isolux adds no grid of observers for GR (where people look "
+                              "outdoors is for the project to say)"
+                            : "there is no room for a grid of observers",
+                        "Name groups of your own?");
+                else if (const std::optional<std::size_t> grid = make_grid())
+                    chosen.push_back(*grid);
+                continue;
+            }
+            const std::size_t g = *find_group(name);
+            if (groups()[g].scale == scale)
+                chosen.push_back(g);
+            else
+                node.error(fmt::format("the observers \"{}\" are rated by another scale ({} is "
+                                       "limited by row {})",
+                                       name,
+                                       r.symbol,
+                                       r.row));
+        }
+        return chosen;
+    }
+
+    /// The user's own groups in the room, and a notice that they are; indoors the grid where
+    /// there is none.
+    std::vector<std::size_t> find_observers(const Requirement& r, GlareScale scale) {
+        const bool can_have_grid = scale == GlareScale::unified && room_ != nullptr;
+        std::vector<std::size_t> own;
+        std::vector<std::string> names;
+        for (std::size_t g = 0; g < own_groups_; ++g)
+            if (const ObserverGroup& group = groups()[g];
+                group.scale == scale && (room_ == nullptr || group.room == room_->name)) {
+                own.push_back(g);
+                names.push_back(group.name);
+            }
+        if (!can_have_grid)
+            return own;
+        if (own.empty()) {
+            const std::optional<std::size_t> grid = make_grid();
+            return grid ? std::vector{*grid} : own;
+        }
+        if (std::ranges::find(names, grid_name()) != names.end())
+            return own; // a group of the user's stands for the grid
+        std::string list;
+        for (const std::string& name : names)
+            list += in_quotes(name) + ", ";
+        object_.node().notice(fmt::format("{} of row {} is judged at your observers {} only",
+                                          r.symbol,
+                                          r.row,
+                                          enumerate(names, "and")),
+                              fmt::format("\"observers\": [{}\"{}\"] adds the grid of the room",
+                                          list,
+                                          grid_word));
+        return own;
+    }
+
+    /// What the grid of the room is called; a group of the user's with that name is it.
+    std::string grid_name() const { return room_->name + " observers"; }
+
+    /// @pre there is a room
+    std::optional<std::size_t> make_grid() {
+        const std::optional<std::size_t> known = find_group(grid_name());
+        if (known && groups()[*known].scale == GlareScale::unified)
+            return known;
+        ObserverGroup made = make_room_observers(object_.node(), *room_, reader_);
+        if (made.sight_lines.empty())
+            return std::nullopt;
+        groups().push_back(std::move(made));
+        return groups().size() - 1;
     }
 
     void add_on_surfaces(ProjectRequirement asked) {
@@ -237,8 +340,9 @@ private:
             asked.subject = surfaces()[s].name;
             reader_.project.requirements.push_back(asked);
         }
-        if (!places.surfaces.empty())
+        if (places.reason.empty())
             return;
+        asked.surface.reset();
         asked.subject = std::string(to_word(area));
         asked.reason = places.reason;
         reader_.project.requirements.push_back(std::move(asked));
@@ -280,7 +384,8 @@ private:
                                     {"number", json_number(static_cast<double>(w + 1))}})}});
             all.surfaces.insert(all.surfaces.end(), one.surfaces.begin(), one.surfaces.end());
         }
-        all.reason = "no wall has a point to measure";
+        if (all.surfaces.empty())
+            all.reason = "no wall has a point to measure";
         return all;
     }
 
@@ -308,6 +413,7 @@ private:
         if (!places_.contains(RequiredArea::task))
             places_[RequiredArea::task] = make_places(RequiredArea::task);
         Places all;
+        all.reason = places_[RequiredArea::task].reason;
         for (const std::size_t task : places_[RequiredArea::task].surfaces) {
             const std::string name = surfaces()[task].name + " " + std::string(to_word(area));
             if (const auto known = find_surface(name)) {
@@ -317,19 +423,49 @@ private:
             std::optional<CalculationSurface> band =
                 area == RequiredArea::surrounding ? make_surrounding(surfaces()[task], room_)
                                                   : make_background(surfaces()[task], room_);
-            if (!band)
+            if (!band) {
+                all.reason +=
+                    (all.reason.empty() ? "" : "; ") + why_no_band(surfaces()[task], area);
                 continue;
+            }
             band->name = name;
             surfaces().push_back(std::move(*band));
             all.surfaces.push_back(surfaces().size() - 1);
         }
-        all.reason = "the task area leaves nothing around it (or is not a level grid)";
+        if (!all.reason.empty())
+            all.reason += fmt::format(": name a surface under \"areas\", or put \"{}\" into "
+                                      "\"leave_out\"",
+                                      to_word(area));
         return all;
+    }
+
+    static std::string why_no_band(const CalculationSurface& task, RequiredArea area) {
+        if (!is_level_grid(task))
+            return fmt::format("{} is no level grid, around which there would be a {}",
+                               in_quotes(task.name),
+                               area == RequiredArea::surrounding ? "band" : "background");
+        return fmt::format(
+            "{} leaves no point of the room {} (edge zones of walls do not count)",
+            in_quotes(task.name),
+            area == RequiredArea::surrounding
+                ? fmt::format("within {} m around it", surrounding_width)
+                : fmt::format("between {} m and {} m around it",
+                              surrounding_width,
+                              surrounding_width + background_width));
     }
 
     // ---- details ----------------------------------------------------------------------------
 
     std::vector<CalculationSurface>& surfaces() { return reader_.project.surfaces; }
+
+    std::vector<ObserverGroup>& groups() { return reader_.project.observers; }
+
+    std::optional<std::size_t> find_group(const std::string& name) {
+        const auto found = std::ranges::find(groups(), name, &ObserverGroup::name);
+        if (found == groups().end())
+            return std::nullopt;
+        return static_cast<std::size_t>(found - groups().begin());
+    }
 
     std::optional<std::size_t> find_surface(const std::string& name) const {
         const std::vector<CalculationSurface>& all = reader_.project.surfaces;
@@ -342,8 +478,10 @@ private:
 
     JsonObject object_;
     ProjectReader& reader_;
+    std::size_t own_groups_;
     const Room* room_ = nullptr;
     std::map<RequiredArea, Places> places_;
+    std::vector<std::string> named_observers_; ///< by the user; "grid" is the room's grid
     bool has_failed_ = false;
 };
 
@@ -376,9 +514,10 @@ void read_requirements(const JsonObject& project, ProjectReader& reader) {
     const std::vector<Standard> standards = read_standards(project, reader);
     if (!reader.problems.errors().empty())
         return; // areas that depend on what is wrong would only add to the noise
+    const std::size_t own_groups = reader.project.observers.size();
     if (const std::optional<JsonNode> list = project.find("requirements"))
         for (const JsonNode& node : read_list(*list))
-            RequirementReader(node, reader).read(standards);
+            RequirementReader(node, reader, own_groups).read(standards);
 }
 
 } // namespace isolux

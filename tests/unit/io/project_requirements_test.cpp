@@ -95,8 +95,181 @@ TEST(Requirements, TakeTheWorkPlaneWhereNoAreaIsNamedAndSayThatNothingIsAroundIt
     const Project p = parse(R"([{"standard": "EN 12464-1:2021", "row": "34.2"}])");
     EXPECT_EQ(find(p, "Em")->subject, "office work plane");
     EXPECT_FALSE(find(p, "Es")->surface);
-    EXPECT_THAT(find(p, "Es")->reason, HasSubstr("leaves nothing around it"));
+    EXPECT_EQ(find(p, "Es")->reason,
+              "\"office work plane\" leaves no point of the room within 0.5 m around it (edge "
+              "zones of walls do not count): name a surface under \"areas\", or put "
+              "\"surrounding\" into \"leave_out\"");
+    EXPECT_EQ(
+        find(p, "Eb")->reason,
+        "\"office work plane\" leaves no point of the room between 0.5 m and 3.5 m around "
+        "it (edge zones of walls do not count): name a surface under \"areas\", or put "
+        "\"background\" into \"leave_out\"");
     EXPECT_EQ(p.surfaces.front().name, "office work plane");
+}
+
+TEST(Requirements, SayThatNothingLiesAroundWhatIsNoLevelGrid) {
+    const Project p = parse(
+        R"([{"standard": "EN 12464-1", "row": "44.4", "area": "board"}])",
+        R"([{"name": "board", "rectangle": {"centre": [0.1, 2, 1.5], "size": [2, 1], "normal": [1, 0, 0]}}])");
+    EXPECT_EQ(find(p, "Es")->reason,
+              "\"board\" is no level grid, around which there would be a band: name a surface "
+              "under \"areas\", or put \"surrounding\" into \"leave_out\"");
+    EXPECT_EQ(find(p, "Eb_U0")->reason,
+              "\"board\" is no level grid, around which there would be a background: name a "
+              "surface under \"areas\", or put \"background\" into \"leave_out\"");
+}
+
+TEST(Requirements, TellOfOneTaskAreaOfSeveralThatLeavesNothingAroundIt) {
+    const Project p = parse(
+        R"([{"standard": "EN 12464-1", "row": "34.2", "area": ["desk", "plane"]}])",
+        R"([{"name": "desk", "rectangle": {"corner": [2, 1.5, 0.75], "u": [1.6, 0, 0], "v": [0, 0.8, 0]}},
+            {"name": "plane", "work_plane": {}}])");
+    std::vector<std::string> subjects;
+    for (const ProjectRequirement& r : p.requirements)
+        if (r.requirement.symbol == "Es")
+            subjects.push_back(r.subject + (r.surface ? "" : ": " + r.reason.substr(0, 24)));
+    EXPECT_THAT(
+        subjects,
+        testing::ElementsAre("desk surrounding", "surrounding: \"plane\" leaves no point "));
+}
+
+const char* const pupils =
+    R"([{"name": "pupils", "position": [5, 2, 1.2], "direction": 180}, {"name": "teacher", "position": [1, 2, 1.6], "direction": 0}])";
+
+/// What UGR is judged at when a requirement of row 44.1 has these further keys.
+std::vector<std::string> judged_at(const std::string& keys,
+                                   const std::string& observers,
+                                   std::vector<Message>* notices = nullptr) {
+    const Project p = parse_project(
+        small_project(
+            {{"observers", observers},
+             {"requirements", R"([{"standard": "EN 12464-1", "row": "44.1")" + keys + "}]"}}),
+        "p.json");
+    std::vector<std::string> subjects;
+    for (const ProjectRequirement& r : p.requirements)
+        if (r.requirement.symbol == "UGR") {
+            EXPECT_EQ(p.observers[r.observers.value()].name, r.subject);
+            subjects.push_back(r.subject);
+        }
+    if (notices != nullptr)
+        *notices = p.notices;
+    return subjects;
+}
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TEST(ObserversOfRequirements, AreTheUsersOwnOnlyWithANotice) {
+    std::vector<Message> notices;
+    EXPECT_THAT(judged_at("", pupils, &notices), ElementsAre("pupils", "teacher"));
+    ASSERT_EQ(notices.size(), 1U);
+    EXPECT_EQ(
+        to_string(notices[0]),
+        "p.json:6: #/requirements/0: UGR of row 44.1 is judged at your observers "
+        "\"pupils\" and \"teacher\" only. \"observers\": [\"pupils\", \"teacher\", \"grid\"] "
+        "adds the grid of the room");
+}
+
+TEST(ObserversOfRequirements, AreTheGridWhereThereAreNoOthers) {
+    std::vector<Message> notices;
+    EXPECT_THAT(judged_at("", "", &notices), ElementsAre("office observers"));
+    EXPECT_THAT(notices, IsEmpty());
+}
+
+TEST(ObserversOfRequirements, AreThoseThatItNames) {
+    std::vector<Message> notices;
+    const auto at = [&](const std::string& names) {
+        return judged_at(", \"observers\": " + names, pupils, &notices);
+    };
+    EXPECT_THAT(at(R"(["pupils", "grid"])"), ElementsAre("pupils", "office observers"));
+    EXPECT_THAT(at(R"("grid")"), ElementsAre("office observers"));
+    EXPECT_THAT(at(R"("teacher")"), ElementsAre("teacher"));
+    EXPECT_THAT(at(R"(["pupils", "pupils"])"), ElementsAre("pupils"));
+    EXPECT_THAT(notices, IsEmpty());
+}
+
+TEST(ObserversOfRequirements, DoNotDependOnTheOrderOfRequirements) {
+    const Project p = parse_project(
+        small_project(
+            {{"observers", pupils},
+             {"requirements",
+              R"([{"standard": "EN 12464-1", "row": "44.1", "observers": "grid"}, {"standard": "EN 12464-1", "row": "34.2", "leave_out": ["luminaires"]}, {"standard": "EN 12464-1", "row": "34.2", "observers": ["grid"]}])"}}),
+        "p.json");
+    std::vector<std::string> subjects;
+    for (const ProjectRequirement& r : p.requirements)
+        if (r.requirement.symbol == "UGR")
+            subjects.push_back(r.subject);
+    EXPECT_THAT(subjects,
+                ElementsAre("office observers", "pupils", "teacher", "office observers"));
+    EXPECT_EQ(p.observers.size(), 3U);
+}
+
+TEST(ObserversOfRequirements, TakeAGroupWithTheGridsNameForTheGrid) {
+    const std::string own =
+        R"([{"name": "office observers", "position": [5, 2, 1.2]}, {"name": "door", "position": [1, 2, 1.6]}])";
+    std::vector<Message> notices;
+    EXPECT_THAT(judged_at("", own, &notices), ElementsAre("office observers", "door"));
+    EXPECT_THAT(notices, IsEmpty());
+    EXPECT_THAT(judged_at(R"(, "observers": ["door", "grid"])", own),
+                ElementsAre("door", "office observers"));
+}
+
+TEST(ObserversOfRequirements, MustExistAndBeOfTheScale) {
+    const auto complaint_about = [](const std::string& observers,
+                                    const std::string& names,
+                                    const std::string& row = R"("EN 12464-1", "row": "44.1")") {
+        try {
+            static_cast<void>(
+                parse_project(small_project({{"observers", observers},
+                                             {"surfaces", desk},
+                                             {"requirements",
+                                              R"([{"area": "desk", "standard": )" + row
+                                                  + R"(, "observers": )" + names + "}]"}}),
+                              "p.json"));
+        } catch (const InputError& e) {
+            return std::string(e.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(complaint_about(pupils, R"(["pupil"])"),
+              "p.json:6: #/requirements/0/observers: unknown observers \"pupil\" (neither the "
+              "name of a group in observers nor \"grid\"). Did you mean \"pupils\"?");
+    EXPECT_THAT(complaint_about(pupils, R"("gird")"), HasSubstr("Did you mean \"grid\"?"));
+    EXPECT_THAT(complaint_about(pupils, "[]"), HasSubstr("#/requirements/0/observers"));
+    EXPECT_THAT(
+        complaint_about(R"([{"name": "grid", "position": [5, 2, 1.2]}])", R"("grid")"),
+        HasSubstr("\"grid\" may be the group of that name or the grid that isolux adds (which "
+                  "one is meant?). Give the group another name?"));
+    const std::string yard =
+        R"([{"name": "yard", "position": [5, 2, 1.2], "rating": "GR", "ground": "desk"}])";
+    EXPECT_THAT(
+        complaint_about(yard, R"("yard")"),
+        HasSubstr("the observers \"yard\" are rated by another scale (UGR is limited by "
+                  "row 44.1)"));
+    EXPECT_THAT(complaint_about(yard, R"(["yard", "grid"])", R"("EN 12464-2", "row": "5.1.1")"),
+                HasSubstr("isolux adds no grid of observers for GR (where people look outdoors "
+                          "is for the project to say). Name groups of your own?"));
+}
+
+TEST(ObserversOfRequirements, HaveNoGridWithoutARoom) {
+    EXPECT_THAT(
+        [] {
+            try {
+                static_cast<void>(parse_project(
+                    small_project(
+                        {{"rooms",
+                          R"([{"name": "office", "size": [6, 4], "height": 3}, {"name": "b", "size": [2, 2], "height": 3, "position": [6, 0]}])"},
+                         {"surfaces",
+                          R"([{"name": "yard", "rectangle": {"corner": [20, 20, 0], "u": [5, 0, 0], "v": [0, 5, 0]}}])"},
+                         {"requirements",
+                          R"([{"standard": "EN 12464-1", "row": "44.1", "area": "yard", "observers": "grid"}])"}}),
+                    "p.json"));
+            } catch (const InputError& e) {
+                return std::string(e.what());
+            }
+            return std::string();
+        }(),
+        HasSubstr("there is no room for a grid of observers. Name groups of your own?"));
 }
 
 TEST(Requirements, LeaveOutAndRaiseWhatTheProjectSays) {
