@@ -31,6 +31,12 @@ std::string write_results_with_sources(const TemporaryFolder& folder) {
                     c.indirect.push_back(static_cast<float>(0.2 * e));
                 }
     r.contributions = c;
+    Verdict glare = r.verdicts.front();
+    glare.requirement.symbol = "UGR";
+    glare.requirement.quantity = RequiredQuantity::unified_glare_rating;
+    glare.requirement.area = RequiredArea::observers;
+    glare.subject = "desk";
+    r.verdicts.push_back(glare);
     SceneResult scene{"talk", {0.5, 0.5, 1.0}, {}, {}, {}};
     for (const SurfaceResult& s : r.surfaces)
         scene.surfaces.push_back(s.summary);
@@ -45,6 +51,17 @@ TEST(ScenesVerb, ShowsTheProjectsScenesWithTheirVerdicts) {
     EXPECT_EQ(ran.exit_code, 0) << ran.err;
     EXPECT_THAT(ran.out, HasSubstr("scene: talk\n"));
     EXPECT_THAT(ran.out, HasSubstr("fail")); // 3/4 of the light of the run that passed
+}
+
+TEST(ScenesVerb, ListsWhatIsNotJudgedWithTheReason) {
+    const TemporaryFolder folder;
+    const Ran ran = run_program({"scenes", write_results_with_sources(folder)});
+    EXPECT_THAT(ran.out, HasSubstr("(limits: 1 fail, 2 not judged)"));
+    EXPECT_THAT(
+        ran.out,
+        HasSubstr("UGR is not judged in scenes: what reaches the eyes is not kept apart "
+                  "by luminaire\n"));
+    EXPECT_THAT(ran.out, HasSubstr("not stated\n")); // Ra, as in the run
 }
 
 TEST(ScenesVerb, TakesLevelsFromTheCommandLine) {

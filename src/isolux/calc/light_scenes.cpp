@@ -60,6 +60,25 @@ SurfaceResult relit(const SurfaceResult& surface,
     return s;
 }
 
+/// Why a requirement has no verdict in a scene; empty where it has one.
+std::string why_not_in_scenes(const Requirement& r) {
+    const std::string not_judged = r.symbol + " is not judged in scenes: ";
+    switch (r.quantity) {
+    case RequiredQuantity::unified_glare_rating:
+    case RequiredQuantity::glare_rating:
+        return not_judged + "what reaches the eyes is not kept apart by luminaire";
+    case RequiredQuantity::colour_rendering:
+        return not_judged + "it is that of the run";
+    case RequiredQuantity::power_density:
+        return not_judged + "the power of dimmed luminaires is not stated";
+    case RequiredQuantity::illuminance:
+    case RequiredQuantity::cylindrical_illuminance:
+    case RequiredQuantity::modelling:
+        break;
+    }
+    return {};
+}
+
 } // namespace
 
 std::optional<std::vector<double>> source_levels(std::span<const LightSource> sources,
@@ -111,9 +130,10 @@ std::optional<SceneResult> evaluate_scene(const Contributions& contributions,
     for (const SurfaceResult& s : lit.surfaces)
         result.surfaces.push_back(s.summary);
     Project asked;
-    for (const ProjectRequirement& r : requirements)
-        if (r.surface)
-            asked.requirements.push_back(r);
+    asked.requirements.assign(requirements.begin(), requirements.end());
+    for (ProjectRequirement& r : asked.requirements)
+        if (r.reason.empty())
+            r.reason = why_not_in_scenes(r.requirement);
     result.verdicts = judge(asked, lit, confidence);
     return result;
 }

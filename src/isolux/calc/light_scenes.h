@@ -22,7 +22,7 @@ source_levels(std::span<const LightSource> sources, std::span<const double> fact
 /// One scene, METHODS eq. (115): every replicate of every surface is combined anew, so that
 /// statistics, errors and verdicts come out as of a run with these levels. No ray is traced.
 /// @param results       of the run that `contributions` comes from
-/// @param requirements  those on surfaces are judged
+/// @param requirements  those on surfaces are judged; of the others the verdicts say why not
 /// @return nothing where source_levels() has none
 [[nodiscard]] std::optional<SceneResult>
 evaluate_scene(const Contributions& contributions,

@@ -137,13 +137,24 @@ LightScene parse_scene(const ScenesOptions& options, const Contributions& c, con
     return scene;
 }
 
-/// What was required of the run's surfaces, to be asked of the scene, too.
+bool is_of_a_surface(RequiredQuantity q) {
+    return q == RequiredQuantity::illuminance || q == RequiredQuantity::cylindrical_illuminance
+           || q == RequiredQuantity::modelling;
+}
+
+/// What was required in the run, to be asked of the scene, too.
 std::vector<ProjectRequirement> requirements_in(const Results& results) {
     std::vector<ProjectRequirement> asked;
-    for (const Verdict& v : results.verdicts)
-        for (std::size_t s = 0; s < results.surfaces.size(); ++s)
-            if (results.surfaces[s].surface.name == v.subject)
-                asked.push_back({v.requirement, v.subject, s, {}});
+    for (const Verdict& v : results.verdicts) {
+        ProjectRequirement r{v.requirement, v.subject, {}, {}};
+        if (is_of_a_surface(v.requirement.quantity))
+            for (std::size_t s = 0; s < results.surfaces.size(); ++s)
+                if (results.surfaces[s].surface.name == v.subject)
+                    r.surface = s;
+        if (!r.surface && v.decision == Decision::not_judged)
+            r.reason = v.reason;
+        asked.push_back(std::move(r));
+    }
     return asked;
 }
 

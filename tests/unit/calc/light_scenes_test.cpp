@@ -73,6 +73,40 @@ TEST(LightScenes, JudgeTheRequirementsOfTheirSurfaces) {
     EXPECT_EQ(verdict(0.0), Decision::fail);
 }
 
+TEST(LightScenes, SayOfEveryOtherRequirementWhyItIsNotJudged) {
+    const Contributions c = make_table(2, 4);
+    const auto asked_of = [](RequiredQuantity quantity, const char* symbol) {
+        ProjectRequirement r{{}, "there", {}, {}};
+        r.requirement.quantity = quantity;
+        r.requirement.symbol = symbol;
+        return r;
+    };
+    std::vector<ProjectRequirement> asked{
+        asked_of(RequiredQuantity::unified_glare_rating, "UGR"),
+        asked_of(RequiredQuantity::glare_rating, "GR"),
+        asked_of(RequiredQuantity::colour_rendering, "Ra"),
+        asked_of(RequiredQuantity::power_density, "p"),
+        asked_of(RequiredQuantity::illuminance, "Es"),
+    };
+    asked[0].observers = 0;
+    asked[4].reason = "nothing lies around it";
+    const auto result = evaluate_scene(c, {"x", {1.0, 1.0}}, results_for(4), asked, 0.95);
+    ASSERT_TRUE(result.has_value());
+    ASSERT_EQ(result->verdicts.size(), asked.size());
+    for (const Verdict& v : result->verdicts)
+        EXPECT_EQ(v.decision, Decision::not_judged) << v.requirement.symbol;
+    EXPECT_EQ(
+        result->verdicts[0].reason,
+        "UGR is not judged in scenes: what reaches the eyes is not kept apart by luminaire");
+    EXPECT_EQ(
+        result->verdicts[1].reason,
+        "GR is not judged in scenes: what reaches the eyes is not kept apart by luminaire");
+    EXPECT_EQ(result->verdicts[2].reason, "Ra is not judged in scenes: it is that of the run");
+    EXPECT_EQ(result->verdicts[3].reason,
+              "p is not judged in scenes: the power of dimmed luminaires is not stated");
+    EXPECT_EQ(result->verdicts[4].reason, "nothing lies around it");
+}
+
 TEST(LightScenes, NeedSourcesAsFineAsTheirLevels) {
     Contributions c = make_table(1, 2);
     c.sources[0].luminaires = {0, 1};
