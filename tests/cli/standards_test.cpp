@@ -25,6 +25,33 @@ TEST(StandardsVerb, FindsRowsThatHoldEveryWord) {
     EXPECT_THAT(ran.out, testing::Not(HasSubstr("34.1 ")));
 }
 
+TEST(StandardsVerb, FindsRowsByTheirEverydayNames) {
+    for (const char* word : {"blackboard", "Whiteboard", "chalkboard"}) {
+        const Ran ran = run_program({"standards", word});
+        EXPECT_EQ(ran.exit_code, 0) << ran.err;
+        EXPECT_THAT(ran.out, HasSubstr("44.4")) << word;
+        EXPECT_THAT(ran.out, HasSubstr("Black, green and white boards")) << word;
+    }
+}
+
+TEST(StandardsVerb, FindsTheEverydayNamesOfATableOfTheUsersOwn) {
+    const TemporaryFolder folder;
+    const std::string table = R"({"isolux_standard": 1, "name": "Brief",
+        "sources": [{"key": "k", "text": "client"}],
+        "columns": [{"symbol": "Em", "quantity": "illuminance", "area": "task", "statistic": "mean",
+          "sense": "at least", "unit": "lx", "clause": "3", "name": "mean"}],
+        "rows": [{"id": "7", "clause": "3", "task": "Sitting", "also": ["sofa", "armchair"],
+          "limits": {"Em": 300}, "source": "k"}]})";
+    Ran ran = run_program({"standards", "sofa", "--file", folder.write("t.json", table)});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("Sitting"));
+    std::string wrong = table;
+    wrong.replace(wrong.find("[\"sofa\", \"armchair\"]"), 20, "\"sofa\"");
+    ran = run_program({"standards", "sofa", "--file", folder.write("w.json", wrong)});
+    EXPECT_EQ(ran.exit_code, 2);
+    EXPECT_THAT(ran.err, HasSubstr("#/rows/0/also: a list is expected here"));
+}
+
 TEST(StandardsVerb, SaysWhereNothingIsFound) {
     const Ran ran = run_program({"standards", "submarine"});
     EXPECT_EQ(ran.exit_code, 2);

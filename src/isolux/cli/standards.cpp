@@ -42,8 +42,12 @@ std::string limits_in_words(const Standard& standard, const StandardRow& row) {
 bool matches(const Standard& standard,
              const StandardRow& row,
              const std::vector<std::string>& words) {
-    const std::string text =
-        lower(standard.name + " " + row.id + " " + row.place + " " + row.task);
+    const std::string text = lower(fmt::format("{} {} {} {} {}",
+                                               standard.name,
+                                               row.id,
+                                               row.place,
+                                               row.task,
+                                               fmt::join(row.also, " ")));
     return std::ranges::all_of(
         words, [&](const std::string& w) { return text.find(lower(w)) != std::string::npos; });
 }
@@ -113,7 +117,8 @@ ExitCode list_rows(const std::vector<std::string>& words, const std::string& fil
 Action add_standards(CLI::App& verb) {
     verb.description("List and search the standards' tables of requirements");
     verb.footer(R"(
-Every WORD must stand in a row's number, place or task. "recalled" marks numbers that nobody has
+Every WORD must stand in a row's number, place or task, or among the everyday words that its
+table gives for it ("also"). "recalled" marks numbers that nobody has
 compared with the printed standard.
 
 Examples:

@@ -100,7 +100,7 @@ StandardRow read_row_of(const JsonNode& node) {
     const JsonObject object(
         node,
         "a row",
-        {"id", "clause", "place", "task", "limits", "source", "sources", "note"});
+        {"id", "clause", "place", "task", "limits", "source", "sources", "note", "also"});
     StandardRow row;
     row.id = require_text(object, "id");
     row.clause = require_text(object, "clause");
@@ -108,6 +108,10 @@ StandardRow read_row_of(const JsonNode& node) {
     row.source = require_text(object, "source");
     row.place = object.has("place") ? object.text("place", {}) : std::string();
     row.note = object.has("note") ? object.text("note", {}) : std::string();
+    if (const std::optional<JsonNode> also = object.find("also"))
+        for (const JsonNode& n : read_list(*also, 1))
+            if (const auto word = read_text(n))
+                row.also.push_back(*word);
     if (const std::optional<JsonNode> limits = object.require("limits"))
         for (const JsonMember& m : limits->value().members)
             if (const auto limit = read_number(limits->member(m.key, m.value), any_limit))

@@ -35,6 +35,7 @@ struct StandardRow {
     std::string source;                                       ///< key
     std::vector<std::pair<std::string, std::string>> sources; ///< keys by symbol
     std::string note;
+    std::vector<std::string> also; ///< everyday words for it, for the search
 };
 
 struct Standard {
