@@ -33,36 +33,13 @@ bool is_flagged(const PointResult& p) noexcept {
     return p.suspicious_replicate || p.heavy_tail || p.near_surface;
 }
 
-/// One of the extremes whose two estimates are farther apart than an error.
-std::string extreme_note(const SurfaceResult& s,
-                         const char* what,
-                         const Estimate& split,
-                         double plug_in,
-                         double confidence) {
-    if (std::abs(plug_in - split.mean) <= split.standard_error)
-        return {};
-    return fmt::format("{}: the {} of the point means is {:.4g} lx; chosen on one half of the "
-                       "replicates and read on the other it is {} lx\n",
-                       s.surface.name,
-                       what,
-                       plug_in,
-                       format_estimate(split, confidence));
-}
-
 } // namespace
 
 std::string to_statistics_notes(const Results& results) {
     std::string text;
     bool is_any_flagged = false;
-    for (const SurfaceResult& s : results.surfaces) {
+    for (const SurfaceResult& s : results.surfaces)
         is_any_flagged = is_any_flagged || std::ranges::any_of(s.points, is_flagged);
-        if (s.points.size() < 2)
-            continue;
-        text += extreme_note(
-            s, "smallest", s.summary.minimum, s.summary.plug_in_minimum, results.confidence);
-        text += extreme_note(
-            s, "largest", s.summary.maximum, s.summary.plug_in_maximum, results.confidence);
-    }
     if (is_any_flagged)
         text += "* an error bar is flagged where one replicate stands apart, the replicates "
                 "have heavy tails, or another surface is within 1 mm (column flags of the "

@@ -16,9 +16,7 @@ namespace isolux {
 /// marks surfaces with flagged error bars.
 [[nodiscard]] std::string to_summary_table(const Results& results);
 
-/// What to know about the error bars: extremes whose smallest (largest) point mean and split
-/// value are more than a standard error apart, METHODS 3.7, and what the asterisk says. Empty
-/// if there is nothing to tell.
+/// What the asterisk at error bars says. Empty if there is nothing to tell.
 [[nodiscard]] std::string to_statistics_notes(const Results& results);
 
 /// "values are maintained ones: maintenance factor 0.8", or that they are initial ones.

@@ -39,7 +39,8 @@ struct SurfaceSummary {
 /// Mean over the points per replicate, then METHODS eq. (15); minimum, maximum, U0 and Ud by
 /// sample splitting: the even replicates choose the point, the odd ones give its value, and the
 /// reverse; the two are averaged. Ratios use the delete-one jackknife inside each half (METHODS
-/// "Grid statistics"). With fewer than four replicates there is nothing to split and the
+/// "Grid statistics"). What the plug-in values differ by counts as an error beside the others.
+/// With fewer than four replicates there is nothing to split and the
 /// plug-in values stand, with jackknife errors; with one replicate (deterministic values)
 /// standard errors are 0.
 [[nodiscard]] SurfaceSummary summarise(const ReplicateTable& table);
