@@ -1,7 +1,12 @@
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include <gtest/gtest.h>
 
 #include "cli/office.h"
 #include "cli/program.h"
+#include "support/source_dir.h"
 
 namespace isolux::test {
 namespace {
@@ -93,6 +98,23 @@ TEST(CheckVerb, TellsWhereNoLightComes) {
                              "notice: view 'street': its camera lies outside every room",
                              "no errors, 3 notices\n"})
         EXPECT_NE(ran.out.find(text), std::string::npos) << text << "\n" << ran.out;
+}
+
+TEST(CheckVerb, FindsNothingOddInTheProjectOfTheReadme) {
+    std::ifstream in(source_dir() / "README.md");
+    const std::string readme{std::istreambuf_iterator<char>(in), {}};
+    const std::string opening = "```json\n{\n";
+    const std::size_t from = readme.find(opening);
+    ASSERT_NE(from, std::string::npos);
+    const std::size_t first = from + opening.size() - 2;
+    const TemporaryFolder folder;
+    std::filesystem::copy(source_dir() / "luminaires/wall-washer.ies", folder.path());
+    const Ran ran =
+        run_program({"check",
+                     folder.write("classroom.json",
+                                  readme.substr(first, readme.find("```", first) - first))});
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_NE(ran.out.find("no errors, nothing odd\n"), std::string::npos) << ran.out;
 }
 
 TEST(CheckVerb, HasHelpWithExamples) {
