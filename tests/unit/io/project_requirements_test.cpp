@@ -8,6 +8,7 @@
 #include "isolux/io/project_json.h"
 
 #include "support/small_project.h"
+#include "support/source_dir.h"
 #include "support/temporary_folder.h"
 
 namespace isolux {
@@ -358,6 +359,24 @@ TEST(Requirements, NeedAnAreaOrARoomWhereThereAreTwoRooms) {
             return std::string();
         }(),
         HasSubstr("neither \"area\" nor \"room\" is given (what must meet the requirement?)"));
+}
+
+TEST(ShippedProjects, NameTheirObserversAndShareThePointsOfModelling) {
+    for (const char* name : {"classroom", "open-office"}) {
+        const Project p = read_project(test::source_dir() / "projects" / name / "project.json");
+        for (const Message& m : p.notices)
+            EXPECT_THAT(to_string(m), testing::Not(HasSubstr("observers"))) << name;
+        const ProjectRequirement* modelling = find(p, "modelling_low");
+        ASSERT_NE(modelling, nullptr) << name;
+        const CalculationSurface& faces = p.surfaces[modelling->surface.value()];
+        EXPECT_TRUE(std::ranges::any_of(p.surfaces, [&](const CalculationSurface& s) {
+            return s.kind == IlluminanceKind::planar
+                   && std::ranges::equal(
+                       s.receivers, faces.receivers, [](const Receiver& a, const Receiver& b) {
+                           return a.point == b.point;
+                       });
+        })) << name;
+    }
 }
 
 TEST(MaintenanceFactor, IsTheProductOfItsParts) {
