@@ -24,6 +24,10 @@ struct Column {
     bool is_number = false; ///< aligned at the right
 };
 
+/// Maps and plans of a report are drawn with a frame of at most this many mm, so that A4 shows
+/// their letters at nearly their own size.
+inline constexpr double widest_map = 128.0;
+
 /// A real table; the first cell of a row is its header.
 struct Table {
     std::string caption;
@@ -48,7 +52,8 @@ struct Figure {
     Drawing drawing;
     std::string alternative; ///< for who cannot see it
     std::string caption;
-    double largest_width = 170.0; ///< mm, on paper
+    double largest_width = 170.0;  ///< mm, on paper
+    double largest_height = 215.0; ///< mm, on paper
 };
 
 struct Photograph {
@@ -74,7 +79,7 @@ struct Section {
     std::string id; ///< letters, digits, hyphens
     std::string title;
     std::vector<Block> blocks;
-    bool starts_page = true; ///< in print from HTML; false: goes on below the section before it
+    bool starts_page = true; ///< on paper; false: goes on below the section before it
 };
 
 struct Report {

@@ -132,7 +132,7 @@ Section make_energy_section(const ResultsDocument& d, const Texts& t) {
 }
 
 Section make_scene_section(const ResultsDocument& d, const Texts& t) {
-    Section section{"scenes", t.scenes, {}};
+    Section section{"scenes", t.scenes, {}, false};
     section.blocks.emplace_back(Paragraph{t.scenes_intro});
     const double confidence = d.results.confidence;
     for (const SceneResult& scene : d.results.scenes) {

@@ -1,5 +1,6 @@
 #include "isolux/report/html.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -29,6 +30,7 @@ tbody th { font-weight: normal; }
 .list th { color: #444; min-width: 8rem; }
 .list td { overflow-wrap: anywhere; }
 .long { font-size: 0.78rem; }
+.broad { min-width: 46rem; }
 .long th, .long td { padding: 0.1rem 0.5rem; }
 th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 figure { margin: 1rem 0; }
@@ -46,20 +48,28 @@ p.mark { white-space: normal; padding: 0.6rem 0.9rem; font-size: 1.15rem; }
 footer { margin-top: 3rem; border-top: 1px solid #999; font-size: 0.85rem; color: #444; }
 @page { size: A4; margin: 16mm 15mm; }
 @media print {
-  body { max-width: none; padding: 0; font-size: 9.5pt; }
+  html { font-size: 9.5pt; }
+  body { max-width: none; padding: 0; line-height: 1.4; }
   nav { display: none; }
   h2 { break-before: page; margin-top: 0; }
   h2.joins { break-before: auto; margin-top: 2.4rem; }
-  h2, h3, caption { break-after: avoid; }
-  figure, .sheet, tr, p.mark { break-inside: avoid; }
+  h2, h3, h3 + p, caption, thead { break-after: avoid; }
+  figure, .sheet, tr, p.mark, .whole { break-inside: avoid; }
   thead { display: table-header-group; }
+  tbody tr:nth-child(-n+3), tbody tr:nth-last-child(-n+3) { break-before: avoid; }
   .scroll { overflow: visible; }
   table { font-size: 8pt; }
+  .broad { min-width: 0; font-size: 7.5pt; }
+  .broad th, .broad td { padding: 0.2rem 0.3rem; }
   .long { font-size: 6.5pt; }
-  th, td { padding: 0.15rem 0.4rem; }
-  figure img { max-height: 225mm; width: auto; max-width: 100%; margin: 0 auto; }
+  th, td { padding: 0.2rem 0.45rem; }
+  .pair { columns: 2; column-gap: 6mm; }
+  .pair table { width: 100%; font-size: 6pt; }
+  .pair th, .pair td { padding: 0.06rem 0.12rem; }
+  figure img { max-height: var(--highest, 225mm); width: auto; max-width: 100%; margin: 0 auto; }
   * { -webkit-print-color-adjust: exact; print-color-adjust: exact; }
 }
+@media screen and (max-width: 48rem) { .long th, .long td { white-space: nowrap; } }
 @media (max-width: 30rem) { body { padding: 0.8rem; } h1 { font-size: 1.5rem; } }
 )";
 
@@ -74,6 +84,39 @@ const char* class_of(Mark mark) {
     default:
         return "not-judged";
     }
+}
+
+/// Letters a row would have in one line.
+std::size_t letters_in_a_row(const Table& t) {
+    const auto letters = [](const std::string& text) {
+        return static_cast<std::size_t>(std::count_if(
+            text.begin(), text.end(), [](char c) { return (c & '\xC0') != '\x80'; }));
+    };
+    std::size_t sum = 0;
+    for (std::size_t k = 0; k < t.columns.size(); ++k) {
+        std::size_t most = letters(t.columns[k].title);
+        for (const std::vector<Cell>& row : t.rows)
+            most = std::max(most, letters(row[k].text));
+        sum += most;
+    }
+    return sum;
+}
+
+/// On narrow screens broad tables are moved sideways rather than pressed into one word a line.
+const char* table_class(const Table& t) {
+    if (t.is_small)
+        return " class=\"long\"";
+    constexpr std::size_t broad = 60;
+    return letters_in_a_row(t) > broad ? " class=\"broad\"" : "";
+}
+
+/// On paper long, narrow tables go in two columns, short ones stay on one page.
+const char* print_class(const Table& t) {
+    constexpr std::size_t few = 14;
+    constexpr std::size_t narrow = 62;
+    if (t.rows.size() <= few)
+        return " whole";
+    return t.is_small && letters_in_a_row(t) <= narrow ? " pair" : "";
 }
 
 class HtmlWriter {
@@ -92,10 +135,11 @@ public:
     void operator()(const Subheading& h) { write("<h3>{}</h3>\n", escape_xml(h.text)); }
 
     void operator()(const Table& t) {
-        write("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"{0}\">\n"
+        write("<div class=\"scroll{2}\" tabindex=\"0\" role=\"group\" aria-label=\"{0}\">\n"
               "<table{1}>\n<caption>{0}</caption>\n<thead>\n<tr>",
               escape_xml(t.caption),
-              t.is_small ? " class=\"long\"" : "");
+              table_class(t),
+              print_class(t));
         for (const Column& c : t.columns)
             write("<th scope=\"col\"{}>{}</th>",
                   c.is_number ? " class=\"n\"" : "",
@@ -127,10 +171,11 @@ public:
     void operator()(const Figure& f) {
         out_ += "<figure>\n";
         write("<img alt=\"{}\" width=\"{:.0f}\" height=\"{:.0f}\" "
-              "src=\"data:image/svg+xml;base64,{}\"/>\n",
+              "style=\"--highest: {:.0f}mm\" src=\"data:image/svg+xml;base64,{}\"/>\n",
               escape_xml(f.alternative),
               pixels_per_mm * f.drawing.width,
               pixels_per_mm * f.drawing.height,
+              f.largest_height,
               to_base64(to_svg(f.drawing)));
         write_figcaption(f.caption);
     }

@@ -12,6 +12,17 @@ void PageWriter::begin_section(const std::string& title) {
     page().title = title;
 }
 
+void PageWriter::join_section(const std::string& title) {
+    constexpr double enough = 70.0; // mm
+    if (left_over() < enough || is_at_top()) {
+        begin_section(title);
+        return;
+    }
+    section_ = title;
+    page().title += ", " + title; // a page has one bookmark
+    skip(5.0);
+}
+
 void PageWriter::new_page() {
     if (!pages_.empty() && is_at_top())
         return;

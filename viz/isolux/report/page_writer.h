@@ -21,6 +21,9 @@ public:
     /// Pages that follow bear this title in the PDF's bookmarks.
     void begin_section(const std::string& title);
 
+    /// The section goes on below the one before it, if enough of the page is left.
+    void join_section(const std::string& title);
+
     /// A new page, unless this one is still empty.
     void new_page();
 

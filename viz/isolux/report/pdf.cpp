@@ -42,7 +42,8 @@ public:
 
     void operator()(const Figure& f) {
         const double width = std::min(f.largest_width, PageWriter::text_width);
-        const double scale = fit(width, f.drawing.width, f.drawing.height);
+        const double scale = std::min(fit(width, f.drawing.width, f.drawing.height),
+                                      f.largest_height / f.drawing.height);
         begin_picture(scale * f.drawing.height, f.caption);
         Drawing inner;
         place(inner, f.drawing, {PageWriter::left, w_.y()}, scale);
@@ -152,7 +153,10 @@ std::vector<Drawing> lay_out(const Report& r) {
     write_cover(writer, r);
     PdfWriter blocks(writer);
     for (const Section& s : r.sections) {
-        writer.begin_section(s.title);
+        if (s.starts_page)
+            writer.begin_section(s.title);
+        else
+            writer.join_section(s.title);
         writer.write(s.title, 5.4, Weight::bold);
         writer.skip(1.0);
         writer.add(make_line({{PageWriter::left, writer.y()},

@@ -9,6 +9,8 @@ namespace isolux::report {
 
 namespace {
 
+constexpr double highest_plan = 115.0; // mm, so that two fit on a page
+
 std::string share(double v) { return v > 0.0 ? fmt::format("{:.3g}", v) : "–"; }
 
 /// Rows of what is made alike: parts of a room each, objects of one material together.
@@ -65,7 +67,7 @@ Table make_finish_table(const std::vector<PlanFinish>& finishes, const Texts& t)
 } // namespace
 
 Section make_room_section(const ResultsDocument& d, const Texts& t) {
-    Section section{"rooms", t.rooms, {}};
+    Section section{"rooms", t.rooms, {}, false};
     std::vector<CalculationSurface> surfaces;
     for (const SurfaceResult& s : d.results.surfaces)
         surfaces.push_back(s.surface);
@@ -86,12 +88,14 @@ Section make_room_section(const ResultsDocument& d, const Texts& t) {
         section.blocks.emplace_back(make_finish_table(d.plan.finishes, t));
     for (const PlanOutline& room : d.plan.rooms)
         section.blocks.emplace_back(
-            Figure{draw_room(room, d.plan, surfaces, d.project_name),
+            Figure{draw_room(room, d.plan, surfaces, d.project_name, widest_map),
                    fill(t.room_alternative,
                         {room.name,
                          std::to_string(luminaires_in(d.plan, room).size()),
                          std::to_string(surfaces.size())}),
-                   fill(t.room_caption, {room.name})});
+                   fill(t.room_caption, {room.name}),
+                   Figure{}.largest_width,
+                   highest_plan});
     return section;
 }
 

@@ -14,6 +14,8 @@ namespace {
 /// Longer lists belong into the CSV file.
 constexpr std::size_t most_points = 1500;
 
+constexpr double highest_map = 180.0; // mm, so that it fits below the title and the figures
+
 std::vector<Cell> figure_row(const std::string& name, const Estimate& e, double confidence) {
     const Interval interval = confidence_interval(e, confidence);
     return {
@@ -68,7 +70,7 @@ Table make_values(const SurfaceResult& s, double confidence, const Texts& t) {
 
 Figure make_map(const SurfaceResult& s, const ResultsDocument& d, const Texts& t) {
     const MapNotes notes{
-        d.project_name, d.results.confidence, d.tolerance, d.absolute_tolerance};
+        d.project_name, d.results.confidence, d.tolerance, d.absolute_tolerance, widest_map};
     return {draw_map(s, d.plan, notes),
             fill(t.map_alternative,
                  {std::string(quantity_name(s.surface.kind)),
@@ -76,7 +78,9 @@ Figure make_map(const SurfaceResult& s, const ResultsDocument& d, const Texts& t
                   to_digits(s.summary.mean.mean),
                   to_digits(s.summary.minimum.mean),
                   to_digits(s.summary.maximum.mean)}),
-            fill(t.map_caption, {s.surface.name})};
+            fill(t.map_caption, {s.surface.name}),
+            Figure{}.largest_width,
+            highest_map};
 }
 
 } // namespace

@@ -146,12 +146,12 @@ Section make_verdict_section(const ResultsDocument& d, const Texts& t) {
         Paragraph{fmt::format("{}: {}", word_of(all, t), sentence_of(all, t)), mark_of(all)});
     section.blocks.emplace_back(Paragraph{fill(t.verdict_intro, {to_percent(d.confidence)})});
     section.blocks.emplace_back(make_verdict_table(verdicts, t.verdict_caption, t));
+    std::vector<std::string> notes; // two rows of a standard may have the same one
     for (const Verdict& v : verdicts)
         if (!v.reason.empty())
-            section.blocks.emplace_back(
-                Paragraph{fill(t.verdict_note, {v.subject, v.requirement.symbol, v.reason}),
-                          Mark::none,
-                          true});
+            number_in(notes, fill(t.verdict_note, {v.subject, v.requirement.symbol, v.reason}));
+    for (std::string& note : notes)
+        section.blocks.emplace_back(Paragraph{std::move(note), Mark::none, true});
     add_sources(section, verdicts, t);
     return section;
 }

@@ -16,6 +16,7 @@ struct MapNotes {
     double confidence = 0.95;         ///< of all intervals, Results::confidence
     double tolerance = 0.01;          ///< asked for, Settings::tolerance
     double absolute_tolerance = 1e-4; ///< lx, Settings::absolute_tolerance
+    double largest_width = 230.0;     ///< of the map's frame, mm
 };
 
 /// False-colour map of one calculation surface.

@@ -12,7 +12,6 @@ namespace {
 
 // The page, mm.
 constexpr double margin = 6.0;
-constexpr double largest_map_width = 230.0;
 constexpr double largest_map_height = 165.0;
 constexpr double largest_scale = 100.0; ///< mm per metre, 1:10
 constexpr double axis_space = 13.0;     ///< left of the frame
@@ -156,7 +155,7 @@ MapPage::MapPage(const PageText& text,
                  const ColourLegend& colours,
                  const std::vector<LegendEntry>& entries)
     : extent_(extent), axis_names_(std::move(axis_names)) {
-    scale_ = std::min({largest_map_width / extent.width(),
+    scale_ = std::min({text.largest_width / extent.width(),
                        largest_map_height / extent.height(),
                        largest_scale});
     corner_ = {margin + axis_space, margin + text_block_height(text) + 3.0};

@@ -55,6 +55,7 @@ struct PageText {
     std::string project;              ///< after the title, grey; may be empty
     std::string figures;              ///< the line that counts
     std::vector<std::string> remarks; ///< small lines below
+    double largest_width = 230.0;     ///< of the map's frame, mm
 };
 
 /// A page around a map: title above, axes in metres on two sides, legend and scale bar at the

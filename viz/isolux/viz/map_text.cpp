@@ -117,11 +117,12 @@ PageText describe_result(const SurfaceResult& result, const MapNotes& notes) {
     PageText text;
     text.title = result.surface.name;
     text.project = notes.project;
+    text.largest_width = notes.largest_width;
     const SurfaceSummary& s = result.summary;
     if (result.points.size() == 1)
         text.figures = lux("E", result.points.front().total, notes.confidence);
     else
-        text.figures = fmt::format("{}     {}     {}     {}",
+        text.figures = fmt::format("{}\u2003 {}\u2003 {}\u2003 {}",
                                    lux("Em", s.mean, notes.confidence),
                                    ratio("U0", s.uniformity, notes.confidence),
                                    lux("Emin", s.minimum, notes.confidence),

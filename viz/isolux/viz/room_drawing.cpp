@@ -136,10 +136,13 @@ Plan part_of(const Plan& plan, const PlanOutline& room) {
     return part;
 }
 
+/// A surface on a wall belongs to the room it faces.
 bool lies_in(const CalculationSurface& surface, const PlanOutline& room) {
+    constexpr double before = 0.01; // m
     return std::any_of(surface.receivers.begin(), surface.receivers.end(), [&](const auto& r) {
         return r.point.z >= room.lower - slack && r.point.z <= room.upper + slack
-               && covers(room, {r.point.x, r.point.y});
+               && covers(room,
+                         {r.point.x + before * r.axis.x(), r.point.y + before * r.axis.y()});
     });
 }
 
@@ -192,7 +195,8 @@ std::vector<PlanLuminaire> luminaires_in(const Plan& plan, const PlanOutline& ro
 Drawing draw_room(const PlanOutline& room,
                   const Plan& plan,
                   std::span<const CalculationSurface> surfaces,
-                  const std::string& project) {
+                  const std::string& project,
+                  double largest_width) {
     const Plan part = part_of(plan, room);
     std::vector<CalculationSurface> here;
     for (const CalculationSurface& s : surfaces)
@@ -203,6 +207,7 @@ Drawing draw_room(const PlanOutline& room,
     PageText text;
     text.title = room.name;
     text.project = project;
+    text.largest_width = largest_width;
     text.remarks = {fmt::format("{:.2f} m², {:.2f} m high, {} luminaires",
                                 area_of(room),
                                 room.upper - room.lower,

@@ -33,6 +33,7 @@ struct WallLine {
 [[nodiscard]] Drawing draw_room(const PlanOutline& room,
                                 const Plan& plan,
                                 std::span<const CalculationSurface> surfaces,
-                                const std::string& project);
+                                const std::string& project,
+                                double largest_width = 230.0);
 
 } // namespace isolux
