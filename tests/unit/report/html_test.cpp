@@ -240,6 +240,23 @@ TEST(VerdictPage, SaysWhyNothingWasJudged) {
     EXPECT_NE(text.find("there are no observers"), std::string::npos);
 }
 
+TEST(ScenesOfTheReport, SayOnceWhyAVerdictIsMissing) {
+    ResultsDocument document = examples::make_document();
+    SceneResult scene;
+    scene.name = "evening";
+    Verdict glare;
+    glare.subject = "pupils";
+    glare.requirement.symbol = "UGR";
+    glare.reason = "UGR is not judged in scenes: no reason";
+    scene.verdicts = {glare, glare};
+    document.results.scenes = {scene};
+    const std::string text = to_html(make_report(document, {}, english()));
+    const std::string note = "pupils, UGR: UGR is not judged in scenes: no reason";
+    const std::size_t at = text.find(note);
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_EQ(text.find(note, at + 1), std::string::npos);
+}
+
 TEST(VerdictPage, IsLeftOutWhereNothingIsRequired) {
     pugi::xml_document xml;
     EXPECT_EQ(verdict_page({}, xml), "");

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "isolux/report/numbers.h"
@@ -92,6 +95,17 @@ Table make_maintenance(const ResultsDocument& d, const Texts& t) {
     return table;
 }
 
+/// Why verdicts are missing, and what to know about others; each sentence once.
+std::vector<std::string> notes_of(const std::vector<Verdict>& verdicts, const Texts& t) {
+    std::vector<std::string> notes;
+    for (const Verdict& v : verdicts) {
+        std::string note = fill(t.verdict_note, {v.subject, v.requirement.symbol, v.reason});
+        if (!v.reason.empty() && std::ranges::find(notes, note) == notes.end())
+            notes.push_back(std::move(note));
+    }
+    return notes;
+}
+
 } // namespace
 
 Section make_glare_section(const ResultsDocument& d, const Texts& t) {
@@ -155,6 +169,8 @@ Section make_scene_section(const ResultsDocument& d, const Texts& t) {
                                                            fill(t.scene_caption, {scene.name})
                                                                + ": " + t.verdict_caption,
                                                            t));
+        for (std::string& note : notes_of(scene.verdicts, t))
+            section.blocks.emplace_back(Paragraph{std::move(note), Mark::none, true});
     }
     return section;
 }
