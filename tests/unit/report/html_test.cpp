@@ -268,7 +268,7 @@ TEST(HtmlReportWithoutPlan, HasStillItsTables) {
     pugi::xml_document xml;
     ASSERT_TRUE(xml.load_string(to_html(make_report(document, {}, english())).c_str()));
     std::vector<std::string> titles;
-    for (const auto& heading : xml.select_nodes("//section/h2"))
+    for (const auto& heading : xml.select_nodes("//section//h2"))
         titles.emplace_back(heading.node().text().get());
     EXPECT_THAT(titles,
                 testing::ElementsAre("Verdict",

@@ -80,6 +80,7 @@ struct Section {
     std::string title;
     std::vector<Block> blocks;
     bool starts_page = true; ///< on paper; false: goes on below the section before it
+    bool keeps_head = false; ///< on paper title to first figure, or all, stay on one page
 };
 
 struct Report {

@@ -164,6 +164,7 @@ Texts make_english() {
     t.transmittance = "Transmittance";
     t.room = "Room";
     t.area = "Floor area, m²";
+    t.surface_area = "Area, m²";
     t.height = "Height, m";
     t.luminaire_count = "Luminaires";
     t.plan_caption = "Plan";

@@ -30,7 +30,7 @@ tbody th { font-weight: normal; }
 .list th { color: #444; min-width: 8rem; }
 .list td { overflow-wrap: anywhere; }
 .long { font-size: 0.78rem; }
-.broad { min-width: 46rem; }
+.broad { min-width: 58rem; }
 .long th, .long td { padding: 0.1rem 0.5rem; }
 th.n, td.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 figure { margin: 1rem 0; }
@@ -53,11 +53,12 @@ footer { margin-top: 3rem; border-top: 1px solid #999; font-size: 0.85rem; color
   nav { display: none; }
   h2 { break-before: page; margin-top: 0; }
   h2.joins { break-before: auto; margin-top: 2.4rem; }
-  h2, h3, h3 + p, caption, thead { break-after: avoid; }
-  figure, .sheet, tr, p.mark, .whole { break-inside: avoid; }
+  h2, h3, h2 + p, h3 + p, caption, thead { break-after: avoid; }
+  figure, .sheet, tr, p, .whole { break-inside: avoid; }
   thead { display: table-header-group; }
   tbody tr:nth-child(-n+3), tbody tr:nth-last-child(-n+3) { break-before: avoid; }
   .scroll { overflow: visible; }
+  footer { margin-top: 1rem; break-before: avoid; }
   table { font-size: 8pt; }
   .broad { min-width: 0; font-size: 7.5pt; }
   .broad th, .broad td { padding: 0.2rem 0.3rem; }
@@ -253,12 +254,21 @@ std::string to_html(const Report& r) {
         html.write("<li><a href=\"#{}\">{}</a></li>\n", s.id, escape_xml(s.title));
     out += "</ol>\n</nav>\n<main>\n";
     for (const Section& s : r.sections) {
-        html.write("<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\"{2}>{1}</h2>\n",
+        bool is_open = s.keeps_head;
+        html.write("<section aria-labelledby=\"{0}\">\n{3}<h2 id=\"{0}\"{2}>{1}</h2>\n",
                    s.id,
                    escape_xml(s.title),
-                   s.starts_page ? "" : " class=\"joins\"");
-        for (const Block& block : s.blocks)
+                   s.starts_page ? "" : " class=\"joins\"",
+                   is_open ? "<div class=\"whole\">\n" : "");
+        for (const Block& block : s.blocks) {
             std::visit(html, block);
+            if (is_open && std::holds_alternative<Figure>(block)) {
+                out += "</div>\n";
+                is_open = false;
+            }
+        }
+        if (is_open)
+            out += "</div>\n";
         out += "</section>\n";
     }
     html.write("</main>\n<footer>\n<p>{}</p>\n</footer>\n</body>\n</html>\n",

@@ -36,7 +36,7 @@ Table make_surface_table(const Results& r, const Texts& t) {
 } // namespace
 
 Section make_overview(const ResultsDocument& d, const Texts& t) {
-    Section section{"overview", t.overview, {}, false};
+    Section section{"overview", t.overview, {}, false, true};
     section.blocks.emplace_back(
         Paragraph{fill(t.overview_intro, {to_percent(d.results.confidence)})});
     section.blocks.emplace_back(make_surface_table(d.results, t));

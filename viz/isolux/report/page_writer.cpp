@@ -12,9 +12,8 @@ void PageWriter::begin_section(const std::string& title) {
     page().title = title;
 }
 
-void PageWriter::join_section(const std::string& title) {
-    constexpr double enough = 70.0; // mm
-    if (left_over() < enough || is_at_top()) {
+void PageWriter::join_section(const std::string& title, double needed) {
+    if (left_over() < needed || is_at_top()) {
         begin_section(title);
         return;
     }

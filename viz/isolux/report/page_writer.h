@@ -21,8 +21,8 @@ public:
     /// Pages that follow bear this title in the PDF's bookmarks.
     void begin_section(const std::string& title);
 
-    /// The section goes on below the one before it, if enough of the page is left.
-    void join_section(const std::string& title);
+    /// The section goes on below the one before it, if `needed` mm of the page are left.
+    void join_section(const std::string& title, double needed);
 
     /// A new page, unless this one is still empty.
     void new_page();

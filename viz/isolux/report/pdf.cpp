@@ -11,6 +11,32 @@ namespace {
 constexpr double body_size = 2.9; // mm
 constexpr double small_size = 2.4;
 
+constexpr double highest = 215.0; // mm, of a picture
+
+double scale_of(const Figure& f) {
+    const double width = std::min(f.largest_width, PageWriter::text_width);
+    return std::min(width / f.drawing.width,
+                    std::min(f.largest_height, highest) / f.drawing.height);
+}
+
+/// What a section needs of a page so that it may begin there, mm; roughly.
+double room_for_head(const Section& s) {
+    constexpr double least = 70.0;
+    if (!s.keeps_head)
+        return least;
+    double sum = 20.0;
+    for (const Block& block : s.blocks) {
+        if (const auto* figure = std::get_if<Figure>(&block))
+            return sum + scale_of(*figure) * figure->drawing.height + 9.0;
+        if (const auto* table = std::get_if<Table>(&block))
+            sum += 14.0 + 5.6 * static_cast<double>(table->rows.size());
+        else
+            sum += 16.0;
+    }
+    constexpr double most = 150.0; // longer ones are torn
+    return std::clamp(sum, least, most);
+}
+
 /// Writes one block after another.
 class PdfWriter {
 public:
@@ -41,9 +67,7 @@ public:
     }
 
     void operator()(const Figure& f) {
-        const double width = std::min(f.largest_width, PageWriter::text_width);
-        const double scale = std::min(fit(width, f.drawing.width, f.drawing.height),
-                                      f.largest_height / f.drawing.height);
+        const double scale = scale_of(f);
         begin_picture(scale * f.drawing.height, f.caption);
         Drawing inner;
         place(inner, f.drawing, {PageWriter::left, w_.y()}, scale);
@@ -54,7 +78,8 @@ public:
 
     void operator()(const Photograph& p) {
         const PixelSize pixels = png_size(p.png).value_or(PixelSize{4, 3});
-        const double scale = fit(PageWriter::text_width, pixels.width, pixels.height);
+        const double scale =
+            std::min(PageWriter::text_width / pixels.width, highest / pixels.height);
         const double height = scale * pixels.height;
         begin_picture(height, p.caption);
         w_.add(Picture{p.png, {PageWriter::left, w_.y()}, scale * pixels.width, height});
@@ -80,13 +105,6 @@ public:
     }
 
 private:
-    /// A picture is at most this high, mm.
-    static constexpr double highest = 215.0;
-
-    static double fit(double room, double width, double height) {
-        return std::min(room / width, highest / height);
-    }
-
     void begin_picture(double height, const std::string& caption) {
         w_.reserve(height + (caption.empty() ? 0.0 : 8.0));
     }
@@ -156,7 +174,7 @@ std::vector<Drawing> lay_out(const Report& r) {
         if (s.starts_page)
             writer.begin_section(s.title);
         else
-            writer.join_section(s.title);
+            writer.join_section(s.title, room_for_head(s));
         writer.write(s.title, 5.4, Weight::bold);
         writer.skip(1.0);
         writer.add(make_line({{PageWriter::left, writer.y()},

@@ -48,7 +48,7 @@ Table make_finish_table(const std::vector<PlanFinish>& finishes, const Texts& t)
                 {{t.room_or_object},
                  {t.part},
                  {t.material},
-                 {t.area, true},
+                 {t.surface_area, true},
                  {t.diffuse_share, true},
                  {t.mirror_share, true},
                  {t.transmittance, true}},

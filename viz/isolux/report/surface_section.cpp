@@ -87,8 +87,11 @@ Figure make_map(const SurfaceResult& s, const ResultsDocument& d, const Texts& t
 
 Section make_surface_section(const ResultsDocument& d, std::size_t index, const Texts& t) {
     const SurfaceResult& s = d.results.surfaces[index];
-    Section section{
-        fmt::format("surface-{}", index + 1), fill(t.surface_title, {s.surface.name}), {}};
+    Section section{fmt::format("surface-{}", index + 1),
+                    fill(t.surface_title, {s.surface.name}),
+                    {},
+                    false,
+                    true};
     if (!s.converged)
         section.blocks.emplace_back(Paragraph{t.not_reached, Mark::undecided});
     section.blocks.emplace_back(make_figures(s, d.results.confidence, t));

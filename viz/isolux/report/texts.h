@@ -153,6 +153,7 @@ struct Texts {
     std::string transmittance;
     std::string room;
     std::string area;
+    std::string surface_area;
     std::string height;
     std::string luminaire_count;
     std::string plan_caption;

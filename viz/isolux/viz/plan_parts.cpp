@@ -16,8 +16,9 @@ namespace isolux {
 
 namespace {
 
-constexpr double name_size = 2.6; // mm
-constexpr double type_size = 2.1; // mm
+constexpr double name_size = 2.6;   // mm
+constexpr double type_size = 2.1;   // mm
+constexpr double least_room = 30.0; // mm, for a name, however small what it names
 
 const Stroke room_line{ink::black, 0.6, 0.0};
 const Stroke object_line{ink::grey, 0.18, 0.0};
@@ -65,7 +66,7 @@ void write_name(MapPage& page,
         for (const Point2& p : loop)
             e.include(p);
     Text t = make_name(
-        shorten(name, std::max(e.width() - 2.0, 12.0), name_size, weight, page.ruler()),
+        shorten(name, std::max(e.width() - 2.0, least_room), name_size, weight, page.ruler()),
         colour,
         weight);
     const double width = page.ruler().width(t.text, name_size, weight);
@@ -99,7 +100,8 @@ void write_name_along(MapPage& page,
             front = {-front.x, -front.y};
     }
     Text t = make_name(
-        shorten(name, std::max(length - 2.0, 12.0), name_size, Weight::normal, page.ruler()),
+        shorten(
+            name, std::max(length - 2.0, least_room), name_size, Weight::normal, page.ruler()),
         surface_line.colour,
         Weight::normal);
     const double width = page.ruler().width(t.text, name_size, Weight::normal);
