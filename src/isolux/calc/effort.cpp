@@ -95,8 +95,9 @@ Effort best_effort(const SharedTask& task, std::size_t paths, Cost&& total_cost)
 constexpr double price_of_doubling = 0.15;
 
 double cost_with_units(const Outcome& o) {
-    const double units = power_of_two_above(o.variance / aim, 1, most_units);
-    return units * o.cost * (1.0 + price_of_doubling * std::log2(units));
+    // not bounded by most_units: what the first look cannot reach, later ones will have to
+    const double doublings = std::ceil(std::log2(std::max(1.0, o.variance / aim)));
+    return std::exp2(doublings) * o.cost * (1.0 + price_of_doubling * doublings);
 }
 
 } // namespace

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "isolux/scene/scene.h"
 
@@ -103,7 +102,7 @@ struct EffortChoice {
 /// mean variance within what is allowed: METHODS "Choosing M, K, N2".
 [[nodiscard]] EffortChoice choose_effort(const SharedTask& task);
 
-/// The most efficient numbers of draws and directions beside so many paths.
+/// The most efficient numbers of draws, directions and looks beside so many paths.
 [[nodiscard]] Effort balance_effort(const SharedTask& task, std::size_t paths);
 
 /// Paths to trace from a point in each of `units` units.

@@ -399,12 +399,15 @@ std::string Engine::describe() const {
     const auto count = [&](PointEstimator e) {
         return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
     };
+    // "64 (open), 128 (at edges)", for the classes that there are
     const auto by_class = [&](std::size_t PointEffort::*what) {
+        constexpr ByClass<const char*> names{"open", "near surfaces", "close", "at edges"};
         std::string text;
         for (std::size_t c = 0; c < point_classes; ++c)
             if (std::count(classes_.begin(), classes_.end(), PointClass(c)) > 0)
-                text += fmt::format("{}{}", text.empty() ? "" : "/", effort_.at[c].*what);
-        return text;
+                text += fmt::format(
+                    "{}{} ({})", text.empty() ? "" : ", ", effort_.at[c].*what, names[c]);
+        return text.empty() ? "none" : text;
     };
     const std::string text =
         fmt::format("light paths per replicate and unit: {}, shadow rays a point: {}",

@@ -43,8 +43,6 @@ public:
     /// @param active  numbers of the receivers
     void adapt(std::span<const std::size_t> active);
 
-    [[nodiscard]] const Effort& effort() const noexcept { return effort_; }
-
     /// Per receiver, as given to prepare().
     [[nodiscard]] PointEstimator estimator_of(std::size_t receiver) const noexcept {
         return estimators_[receiver];

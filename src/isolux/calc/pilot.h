@@ -48,7 +48,7 @@ inline constexpr std::size_t pilot_paths = 512; ///< per replicate
 /// biases nothing.
 struct Pilot {
     double vertices_per_path = 1.0;
-    ByClass<VarianceModel> of_class; ///< mean over its points; of all where none was seen
+    ByClass<VarianceModel> of_class; ///< mean over its points; 0 where none was seen
     ByClass<std::size_t> points{};   ///< looked at
     VarianceModel all;               ///< mean over all points of the task
 };

@@ -103,8 +103,7 @@ std::string part_of(const std::string& name) {
     return slash == std::string::npos ? std::string{} : name.substr(slash + 1);
 }
 
-/// One for each surface; what is alike in everything but its place counts once with the sum of
-/// the areas. Bodies of luminaires are left out.
+/// One for each surface. Bodies of luminaires are left out.
 std::vector<PlanFinish> find_finishes(const Scene& scene) {
     std::vector<PlanFinish> finishes;
     for (const Surface& s : scene.surfaces) {

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "isolux/transport/direct_light.h"
+
 namespace isolux {
 
 namespace {
@@ -25,6 +27,15 @@ std::size_t paths_for(std::size_t points) {
 /// Samples of a unit where nothing else is done; more of them would be worth more units.
 constexpr double most_samples_alone = 64.0;
 
+/// Where no light paths compete for the time, more looks are worth it wherever one is not
+/// enough.
+void look_where_it_matters(WorkPlan& plan, const Pilot& pilot) {
+    constexpr double enough = 0.5; // of the variance that is allowed
+    for (std::size_t c = 0; c < point_classes; ++c)
+        plan.effort.at[c].looks =
+            pilot.of_class[c].direct > enough ? DirectLight::most_looks : 1;
+}
+
 void plan_tracing(WorkPlan& plan, const VarianceModel& model) {
     const double wanted = std::clamp(model.samples, 4.0, most_samples_alone);
     plan.effort.samples = std::bit_ceil(static_cast<std::size_t>(wanted));
@@ -34,49 +45,70 @@ void plan_tracing(WorkPlan& plan, const VarianceModel& model) {
         std::ceil(std::clamp(units, 1.0, static_cast<double>(most_units)))));
 }
 
+/// Effort for a task, units included where they are free.
+EffortChoice choose(const Settings& settings, const SharedTask& task) {
+    if (settings.fixed_units)
+        return {balance_effort(task, paths_for(task.all())), 1};
+    return choose_effort(task);
+}
+
+/// Every class is judged as if all points were like its own: a class that will be traced must
+/// not decide what the others share. Where the choice is free, traced classes leave the task.
+void judge_classes(WorkPlan& plan,
+                   SharedTask& task,
+                   const Settings& settings,
+                   const Pilot& pilot) {
+    const std::size_t all = task.all();
+    SharedTask left = task;
+    for (std::size_t c = 0; c < point_classes; ++c) {
+        const VarianceModel& model = pilot.of_class[c];
+        SharedTask alone{{}, task.models, task.costs};
+        alone.points[c] = all;
+        const Effort effort = choose(settings, alone).effort;
+        const double shared = model.of(effort.paths, effort.at[c])
+                              * task.costs.of(effort.paths, effort.at[c], all);
+        if (pilot.points[c] == 0 || !(shared > 0.0))
+            continue;
+        plan.advantage[c] = model.samples * task.costs.sample / shared;
+        if (settings.estimator == Estimator::automatic && plan.advantage[c] < worth_it) {
+            plan.of_class[c] = PointEstimator::path_tracing;
+            left.points[c] = 0;
+        }
+    }
+    if (left.all() > 0)
+        task = left;
+}
+
 } // namespace
 
 WorkPlan make_work_plan(const Settings& settings,
                         const Pilot& pilot,
                         const UnitCosts& costs,
                         const ByClass<std::size_t>& points) {
-    const SharedTask task{points, pilot.of_class, costs};
+    SharedTask task{points, pilot.of_class, costs};
     WorkPlan plan;
+    judge_classes(plan, task, settings, pilot);
     if (settings.estimator == Estimator::path_tracing) {
         plan_tracing(plan, pilot.all);
-    } else if (settings.fixed_units) {
-        plan.effort = balance_effort(task, paths_for(task.all()));
     } else {
-        const EffortChoice choice = choose_effort(task);
+        const EffortChoice choice = choose(settings, task);
         plan.effort = choice.effort;
         plan.units = choice.units;
     }
-    double samples = 0.0;
-    double direct = 0.0;
-    for (std::size_t c = 0; c < point_classes; ++c) {
-        const VarianceModel& model = pilot.of_class[c];
-        const PointEffort& effort = plan.effort.at[c];
-        const double shared = model.of(plan.effort.paths, effort)
-                              * costs.of(plan.effort.paths, effort, task.all());
-        if (pilot.points[c] == 0 || !(shared > 0.0))
-            continue;
-        plan.advantage[c] = model.samples * costs.sample / shared;
-        if (settings.estimator == Estimator::automatic && plan.advantage[c] < worth_it)
-            plan.of_class[c] = PointEstimator::path_tracing;
-        if (plan.of_class[c] == PointEstimator::path_tracing && model.samples > samples) {
-            samples = model.samples;
-            direct = model.direct;
-        }
-    }
-    if (samples == 0.0) { // the pilot saw no traced point
-        samples = pilot.all.samples;
-        direct = pilot.all.direct;
-    }
+    if (settings.direct_only || settings.estimator == Estimator::path_tracing)
+        look_where_it_matters(plan, pilot);
+    VarianceModel traced; // the noisiest of the classes that are
+    for (std::size_t c = 0; c < point_classes; ++c)
+        if (plan.of_class[c] == PointEstimator::path_tracing
+            && pilot.of_class[c].samples > traced.samples)
+            traced = {.direct = pilot.of_class[c].of_direct(plan.effort.at[c]),
+                      .samples = pilot.of_class[c].samples};
+    if (traced.samples == 0.0) // the pilot saw no traced point
+        traced = {.direct = pilot.all.direct, .samples = pilot.all.samples};
     if (settings.fixed_units)
         plan.effort.samples = 32;
     else if (settings.estimator != Estimator::path_tracing)
-        plan.effort.samples =
-            choose_samples({.direct = direct, .samples = samples}, plan.units);
+        plan.effort.samples = choose_samples(traced, plan.units);
     return plan;
 }
 

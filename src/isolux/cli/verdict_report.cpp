@@ -58,7 +58,7 @@ int rank_of(Decision d) {
     return 3;
 }
 
-/// "verdict: fail (1 of 30 limits fails, 2 undecided, 4 not judged)"
+/// "verdict: fail (limits: 1 fail, 2 undecided, 23 pass, 4 not judged)"
 std::string to_headline(const std::vector<Verdict>& verdicts) {
     const auto count = [&](Decision d) {
         return std::ranges::count_if(verdicts,

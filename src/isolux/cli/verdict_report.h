@@ -6,8 +6,8 @@
 
 namespace isolux {
 
-/// The table of all verdicts with margins and clauses, and a line with the overall one; empty
-/// where nothing was required.
+/// The overall verdict, the table of all of them with margins, failures first, and the rows of
+/// the standards; empty where nothing was required.
 [[nodiscard]] std::string to_verdict_table(const Results& results);
 
 /// One line a group of observers: the worst rating, where and which way; empty without groups.

@@ -39,6 +39,8 @@ public:
         : text_(text), lines_(lines) {}
 
     void scan() {
+        if (text_.starts_with("\xEF\xBB\xBF")) // a byte order mark
+            at_ = 3;
         skip_blanks();
         note("", line_);
         scan_value("");

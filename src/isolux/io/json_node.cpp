@@ -94,7 +94,7 @@ std::optional<double> read_number(const JsonNode& node, const NumberRange& range
         const bool is_quoted = parsed.ec == std::errc();
         std::string hint = is_quoted ? fmt::format("Write {} without quotes?", value) : "";
         if (const std::optional<double> share = percentage_in(text);
-            share && range.unit.empty())
+            share && range.unit.empty() && range.upper <= 10.0)
             hint = fmt::format("Write {:.4g} for {:.4g} %?", *share, 100.0 * *share);
         node.error(fmt::format("a number is expected here ({})", found(node)), hint);
         return std::nullopt;

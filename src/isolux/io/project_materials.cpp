@@ -122,7 +122,8 @@ std::optional<Material> MaterialTable::material_named(const JsonNode& node) {
         hint = fmt::format("Write {:.4g} for {:.4g} %?", *share, 100.0 * *share);
     else if (double value = 0.0;
              std::from_chars(name->data(), name->data() + name->size(), value).ptr
-             == name->data() + name->size())
+                 == name->data() + name->size()
+             && std::isfinite(value))
         hint = fmt::format("Write {} without quotes?", value);
     node.error(fmt::format("unknown material \"{}\" (neither one of the project nor an "
                            "everyday one)",

@@ -135,7 +135,8 @@ bool check_size(const JsonObject& object, const Room& room) {
     constexpr double unusual_height = 30.0;
     const Rectangle2 bounds = bounding_rectangle(room.footprint);
     const double side = std::max(bounds.width(), bounds.depth());
-    const char* unit = side > longest ? "millimetres" : "centimetres";
+    const char* unit =
+        room.height > highest && room.height < 1500.0 ? "centimetres" : "millimetres";
     if (side > longest || room.height > highest) {
         object.node().error(fmt::format("the room is {} (at most {} m x {} m, {} m high)",
                                         size_in_words(bounds, room.height),

@@ -55,7 +55,7 @@ std::vector<std::string> known_names(const SceneDescription& scene) {
 std::optional<double> read_level(const JsonNode& node) {
     const std::optional<double> level = read_number(node, any_level);
     if (level && *level > 1.0)
-        node.notice(fmt::format("a level of {} gives the luminaires {} % of their flux",
+        node.notice(fmt::format("a level of {:.6g} gives the luminaires {:.6g} % of their flux",
                                 *level,
                                 100.0 * *level),
                     *level >= 2.0 && *level <= 100.0

@@ -169,12 +169,11 @@ SurfaceSummary summarise(const ReplicateTable& table) {
     if (table.replicates == 0 || table.points == 0)
         return {};
     const std::vector<double> means = point_means(table);
-    SurfaceSummary s;
+    SurfaceSummary s =
+        table.replicates < fewest_to_split ? summarise_few(table) : SurfaceSummary{};
     s.plug_in_minimum = smallest(means);
     s.plug_in_maximum = largest(means);
-    if (table.replicates < fewest_to_split) {
-        s = summarise_few(table);
-    } else {
+    if (table.replicates >= fewest_to_split) {
         const HalfSummary a = summarise_half(table, 0);
         const HalfSummary b = summarise_half(table, 1);
         s.minimum = widen(average_halves(a, b, &HalfSummary::minimum), s.plug_in_minimum);

@@ -125,9 +125,8 @@ private:
     /// Points next to a wall, floor or ceiling that look at it, not into the room.
     void inspect_facing(const std::string& where, const CalculationSurface& surface) {
         constexpr double before = 0.02; // m; closer to a wall nothing is measured on purpose
-        if (surface.kind != IlluminanceKind::planar
-            && surface.kind != IlluminanceKind::hemispherical)
-            return;
+        if (surface.kind != IlluminanceKind::planar)
+            return; // others have no dark side
         const auto faces_away = [&](const Receiver& r) {
             return !space_.is_outside(r.point)
                    && space_.is_outside(r.point + before * Vector3(r.axis));

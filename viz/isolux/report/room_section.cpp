@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "isolux/report/numbers.h"
@@ -13,34 +15,47 @@ constexpr double highest_plan = 115.0; // mm, so that two fit on a page
 
 std::string share(double v) { return v > 0.0 ? fmt::format("{:.3g}", v) : "–"; }
 
-/// Rows of what is made alike: parts of a room each, objects of one material together.
-std::vector<PlanFinish> gather_finishes(const std::vector<PlanFinish>& all) {
-    std::vector<PlanFinish> rows;
-    std::vector<std::size_t> counts;
-    const auto is_alike = [](const PlanFinish& a, const PlanFinish& b) {
-        return a.is_room == b.is_room && a.material == b.material
-               && a.reflectance == b.reflectance && a.mirror == b.mirror
-               && a.transmittance == b.transmittance && (!a.is_room || a.owner == b.owner);
-    };
+/// Surfaces that are made alike.
+struct FinishRow {
+    PlanFinish finish;               ///< of the first; the area is that of all
+    std::vector<std::string> owners; ///< each once
+};
+
+bool is_alike(const PlanFinish& a, const PlanFinish& b) {
+    return a.is_room == b.is_room && a.material == b.material && a.reflectance == b.reflectance
+           && a.mirror == b.mirror && a.transmittance == b.transmittance
+           && (!a.is_room || a.owner == b.owner);
+}
+
+/// Parts of a room each, objects of one material together.
+std::vector<FinishRow> gather_finishes(const std::vector<PlanFinish>& all) {
+    std::vector<FinishRow> rows;
     for (const PlanFinish& f : all) {
-        std::size_t k = 0;
-        while (k < rows.size() && !is_alike(rows[k], f))
-            ++k;
-        if (k == rows.size()) {
-            rows.push_back(f);
-            counts.push_back(1);
+        const auto row = std::ranges::find_if(
+            rows, [&](const FinishRow& r) { return is_alike(r.finish, f); });
+        if (row == rows.end()) {
+            rows.push_back({f, {f.owner}});
             continue;
         }
-        rows[k].area += f.area;
-        ++counts[k];
-        if (f.is_room)
-            rows[k].part += ", " + f.part;
-        else if (counts[k] <= 4 && f.owner != all[k].owner)
-            rows[k].owner += ", " + f.owner;
-        else if (counts[k] == 5)
-            rows[k].owner += ", ...";
+        row->finish.area += f.area;
+        const bool is_same_thing = std::ranges::find(row->owners, f.owner) != row->owners.end();
+        if (!is_same_thing)
+            row->owners.push_back(f.owner);
+        if (is_same_thing && row->owners.size() == 1)
+            row->finish.part += ", " + f.part;
+        else
+            row->finish.part.clear();
     }
     return rows;
+}
+
+/// "desk 1, desk 2, desk 3, desk 4, ... (16)"
+std::string in_words(const std::vector<std::string>& owners) {
+    constexpr std::size_t most = 4;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most, owners.size()); ++k)
+        text += (k == 0 ? "" : ", ") + owners[k];
+    return owners.size() <= most ? text : fmt::format("{}, ... ({})", text, owners.size());
 }
 
 Table make_finish_table(const std::vector<PlanFinish>& finishes, const Texts& t) {
@@ -53,8 +68,8 @@ Table make_finish_table(const std::vector<PlanFinish>& finishes, const Texts& t)
                  {t.mirror_share, true},
                  {t.transmittance, true}},
                 {}};
-    for (const PlanFinish& f : gather_finishes(finishes))
-        table.rows.push_back({{f.owner},
+    for (const auto& [f, owners] : gather_finishes(finishes))
+        table.rows.push_back({{in_words(owners)},
                               {f.part},
                               {f.material},
                               {fmt::format("{:.2f}", f.area), f.area},
