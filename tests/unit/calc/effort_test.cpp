@@ -67,6 +67,14 @@ TEST(Effort, IsLeastWhereNothingIsAskedFor) {
     EXPECT_EQ(c.units, 1U);
 }
 
+TEST(Effort, DoesNotShrinkWhereTheFirstLookCannotReachTheGoal) {
+    const VarianceModel far{.paths = 1e7, .draws = 1e5, .directions = 1e4, .direct = 1e3};
+    const EffortChoice c = choose_effort(open_task(far, 300));
+    EXPECT_EQ(c.units, most_units);
+    EXPECT_GT(c.effort.paths, fewest_paths);
+    EXPECT_GT(c.effort.at[0].draws, fewest_draws);
+}
+
 TEST(Effort, IsMoreWhereTheNoiseIs) {
     const VarianceModel calm{
         .paths = 2000.0, .draws = 2.0, .directions = 0.1, .look_samples = 30.0};

@@ -52,6 +52,11 @@ TEST(JsonLines, OfWhatIsNotThereAreThoseOfWhatHoldsIt) {
     EXPECT_EQ(line_of(sample, "/rooms/0/height/metres"), 6U);
 }
 
+TEST(JsonLines, AreNotMisledByAByteOrderMark) {
+    EXPECT_EQ(line_of("\xEF\xBB\xBF" + sample, "/rooms/0/height"),
+              line_of(sample, "/rooms/0/height"));
+}
+
 TEST(JsonLines, AreNotMisledByTexts) {
     const std::string text = "[\"a \\\" , ] \\\\\",\n"
                              " \"// no comment\", \"/*\",\n"

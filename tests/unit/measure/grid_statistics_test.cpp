@@ -58,6 +58,8 @@ TEST(Summary, ThreeReplicatesGivePlugInValuesWithErrors) {
     const SurfaceSummary s = summarise(make_table(3, {9, 20, 10, 21, 11, 22}));
     EXPECT_DOUBLE_EQ(s.minimum.mean, 10.0);
     EXPECT_DOUBLE_EQ(s.maximum.mean, 21.0);
+    EXPECT_DOUBLE_EQ(s.plug_in_minimum, 10.0);
+    EXPECT_DOUBLE_EQ(s.plug_in_maximum, 21.0);
     EXPECT_NEAR(s.minimum.standard_error, 1.0 / std::sqrt(3.0), 1e-12);
     EXPECT_DOUBLE_EQ(s.uniformity.mean, 10.0 / 15.5);
     EXPECT_GT(s.uniformity.standard_error, 0.0);
