@@ -17,12 +17,13 @@ namespace {
 /// corners to walks of its own.
 constexpr double edge_factor = 0.8;
 
-/// Points nearer to a second surface than these are classes of their own, m.
-constexpr double edge_of_class = 0.1;
-constexpr double close_to_class = 0.25;
-
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
+
+/// Points nearer to a second surface than these are classes of their own, m; the third border
+/// is widest_edge.
+constexpr double edge_of_class = 0.1;
+constexpr double close_to_class = 0.25;
 
 /// A receiver this near to a foreign surface is flagged, m.
 constexpr double too_near = 1e-3;

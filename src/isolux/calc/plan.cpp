@@ -250,8 +250,7 @@ Plan make_plan(const Scene& scene) {
     }
     for (const auto& [name, triangles] : objects)
         plan.objects.push_back(make_outline(name, triangles));
-    for (const SceneOpening& o : scene.openings)
-        plan.openings.push_back({o.room, o.name, o.from, o.to, o.sill, o.height, o.state});
+    plan.openings = scene.openings;
     plan.finishes = find_finishes(scene);
     for (const LuminaireType& type : scene.luminaire_types)
         plan.types.push_back(make_plan_type(type));

@@ -62,17 +62,6 @@ struct PlanType {
     PolarCurves curves{};
 };
 
-/// A door, a window or a hole in a wall, seen from above.
-struct PlanOpening {
-    std::string room;
-    std::string name;
-    Point2 from{};
-    Point2 to{};
-    double sill = 0.0;   ///< m above the floor
-    double height = 0.0; ///< m
-    OpeningState state = OpeningState::open;
-};
-
 /// What a piece of a room or an object is made of.
 struct PlanFinish {
     std::string owner;          ///< room or object
@@ -92,7 +81,7 @@ struct Plan {
     std::vector<PlanOutline> objects; ///< furniture and imports, not bodies of luminaires
     std::vector<PlanLuminaire> luminaires;
     std::vector<PlanType> types;
-    std::vector<PlanOpening> openings{};
+    std::vector<SceneOpening> openings{}; ///< doors, windows and holes in walls
     std::vector<PlanFinish> finishes{};
 };
 

@@ -91,7 +91,7 @@ Json to_json(const std::vector<PlanOutline>& outlines) {
 
 constexpr std::array<const char*, 3> states{"open", "closed", "glazed"};
 
-Json to_json(const PlanOpening& o) {
+Json to_json(const SceneOpening& o) {
     return {{"room", o.room},
             {"name", o.name},
             {"from", Json::array({o.from.x, o.from.y})},
@@ -119,13 +119,13 @@ Point2 to_point2(const ResultsNode& node) {
     return {xy[0], xy[1]};
 }
 
-PlanOpening to_plan_opening(const ResultsNode& node) {
-    PlanOpening o{node.at("room").text(),
-                  node.at("name").text(),
-                  to_point2(node.at("from")),
-                  to_point2(node.at("to")),
-                  node.at("sill").number(),
-                  node.at("height").number()};
+SceneOpening to_scene_opening(const ResultsNode& node) {
+    SceneOpening o{node.at("room").text(),
+                   node.at("name").text(),
+                   to_point2(node.at("from")),
+                   to_point2(node.at("to")),
+                   node.at("sill").number(),
+                   node.at("height").number()};
     const std::string word = node.at("state").text();
     for (std::size_t k = 0; k < states.size(); ++k)
         if (word == states[k]) {
@@ -254,7 +254,7 @@ std::string to_installation_json(const Plan& plan) {
     json["rooms"] = to_json(plan.rooms);
     json["objects"] = to_json(plan.objects);
     json["openings"] = Json::array();
-    for (const PlanOpening& o : plan.openings)
+    for (const SceneOpening& o : plan.openings)
         json["openings"].push_back(to_json(o));
     json["finishes"] = Json::array();
     for (const PlanFinish& f : plan.finishes)
@@ -268,7 +268,7 @@ Plan parse_installation(const ResultsNode& node) {
     plan.objects = to_outlines(node.at("objects"));
     if (const auto openings = node.find("openings")) // results of 0.1.0 before November 2026
         for (const ResultsNode& o : openings->items())
-            plan.openings.push_back(to_plan_opening(o));
+            plan.openings.push_back(to_scene_opening(o));
     if (const auto finishes = node.find("finishes"))
         for (const ResultsNode& f : finishes->items())
             plan.finishes.push_back(to_finish(f));

@@ -190,7 +190,7 @@ std::vector<Shape> opening_between(const Point2& a, const Point2& b, OpeningStat
 }
 
 void draw_openings(MapPage& page, const Plan& plan) {
-    for (const PlanOpening& o : plan.openings)
+    for (const SceneOpening& o : plan.openings)
         for (Shape& shape : opening_between(page.to_page(o.from), page.to_page(o.to), o.state))
             page.add(std::move(shape));
 }
@@ -276,7 +276,7 @@ std::vector<LegendEntry> make_plan_entries(const Plan& plan, bool has_surfaces) 
         entries.push_back(line_entry(room_line, "room"));
     const auto has = [&](OpeningState state) {
         return std::ranges::any_of(plan.openings,
-                                   [state](const PlanOpening& o) { return o.state == state; });
+                                   [state](const SceneOpening& o) { return o.state == state; });
     };
     if (has(OpeningState::glazed))
         entries.push_back({opening_symbol(OpeningState::glazed), "window"});

@@ -130,7 +130,7 @@ Plan part_of(const Plan& plan, const PlanOutline& room) {
             && touches(extent_of(object), extent))
             part.objects.push_back(object);
     part.luminaires = luminaires_in(plan, room);
-    for (const PlanOpening& o : plan.openings)
+    for (const SceneOpening& o : plan.openings)
         if (o.room == room.name)
             part.openings.push_back(o);
     return part;
