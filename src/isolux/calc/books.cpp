@@ -1,5 +1,7 @@
 #include "isolux/calc/books.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "isolux/calc/study_estimators.h"
@@ -57,7 +59,7 @@ Books::Books(const Scene& scene,
 }
 
 Books::Book Books::make_book(std::size_t rows) const {
-    return {rows, std::vector<float>(rows * replicates_ * points_, 0.0F)};
+    return {rows, std::vector<float>(rows * replicates_ * points_, 0.0F), {}};
 }
 
 BookPage Books::open_page(const Accumulator::Tile& tile) const {
@@ -86,35 +88,59 @@ void Books::enter_direct(BookPage& page,
                 by_source[s * replicates_ + r];
 }
 
-void Books::add(Book& book, const Accumulator::Tile& tile, const std::vector<double>& page) {
+void Books::add(Book& book,
+                Part part,
+                const Accumulator& sums,
+                const Accumulator::Tile& tile,
+                const std::vector<double>& page) {
     std::size_t i = 0;
     for (std::size_t r = 0; r < replicates_; ++r)
         for (std::size_t row = 0; row < book.rows; ++row)
-            for (std::size_t p = 0; p < tile.points; ++p)
-                book.sums[(row * replicates_ + r) * points_ + tile.first + p] +=
-                    static_cast<float>(page[i++]);
+            for (std::size_t p = 0; p < tile.points; ++p, ++i) {
+                const std::size_t point = tile.first + p;
+                if (part == Part::direct ? !sums.direct_is_open(point)
+                                         : !sums.indirect_is_open(point))
+                    continue;
+                book.sums[(row * replicates_ + r) * points_ + point] +=
+                    static_cast<float>(page[i]);
+            }
 }
 
-void Books::add(const Accumulator::Tile& tile, const BookPage& page) {
-    add(direct_, tile, page.direct);
-    add(indirect_, tile, page.indirect);
-    add(derivatives_, tile, page.derivatives);
+void Books::add(const Accumulator& sums, const Accumulator::Tile& tile, const BookPage& page) {
+    add(direct_, Part::direct, sums, tile, page.direct);
+    add(indirect_, Part::indirect, sums, tile, page.indirect);
+    add(derivatives_, Part::indirect, sums, tile, page.derivatives);
 }
 
-std::vector<float> Books::means(const Book& book, const Accumulator& sums) const {
+std::vector<float> Books::means(const Book& book, Part part, const Accumulator& sums) const {
     const std::size_t kept = sums.replicates();
     std::vector<float> values(book.rows * kept * points_, 0.0F);
-    for (const Accumulator::Tile& tile : sums.tiles()) {
-        if (tile.units == 0)
+    for (std::size_t p = 0; p < sums.points(); ++p) {
+        std::size_t units =
+            part == Part::direct ? sums.direct_units(p) : sums.indirect_units(p);
+        const bool stands_in = part == Part::indirect && units == 0;
+        if (stands_in)
+            units = sums.parked_units(p);
+        if (units == 0)
             continue;
-        const auto units = static_cast<float>(tile.units);
         for (std::size_t row = 0; row < book.rows; ++row)
-            for (std::size_t r = 0; r < kept; ++r)
-                for (std::size_t p = tile.first; p < tile.first + tile.points; ++p)
-                    values[(row * kept + r) * points_ + p] =
-                        book.sums[(row * replicates_ + r) * points_ + p] / units;
+            for (std::size_t r = 0; r < kept; ++r) {
+                const float sum =
+                    stands_in ? book.parked.at(p)[row * replicates_ + r]
+                              : book.sums[(row * replicates_ + r) * points_ + p];
+                values[(row * kept + r) * points_ + p] = sum / static_cast<float>(units);
+            }
     }
     return values;
+}
+
+void Books::change_estimator(std::size_t point) {
+    for (Book* book : {&indirect_, &derivatives_}) {
+        std::vector<float>& other = book->parked[point];
+        other.resize(book->rows * replicates_);
+        for (std::size_t i = 0; i < other.size(); ++i)
+            std::swap(other[i], book->sums[i * points_ + point]);
+    }
 }
 
 void Books::close(const Accumulator& sums, Results& results) const {
@@ -122,10 +148,10 @@ void Books::close(const Accumulator& sums, Results& results) const {
     results.notices.insert(results.notices.end(), notices_.begin(), notices_.end());
     if (!sources_.empty() && kept > 0)
         results.contributions = Contributions{
-            sources_, kept, points_, means(direct_, sums), means(indirect_, sums)};
+            sources_, kept, points_, means(direct_, Part::direct, sums), means(indirect_, Part::indirect, sums)};
     if (!materials_.empty() && kept > 0)
         results.sensitivities =
-            Sensitivities{materials_, kept, points_, means(derivatives_, sums)};
+            Sensitivities{materials_, kept, points_, means(derivatives_, Part::indirect, sums)};
 }
 
 } // namespace isolux

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 #include "isolux/calc/accumulator.h"
@@ -50,8 +51,12 @@ public:
                       std::size_t point_in_tile,
                       std::span<const double> by_source) const;
 
-    /// Adds a complete unit. Different tiles may be added by different threads.
-    void add(const Accumulator::Tile& tile, const BookPage& page);
+    /// Adds a complete unit to what is open of the tile's points. Different tiles may be added by
+    /// different threads.
+    void add(const Accumulator& sums, const Accumulator::Tile& tile, const BookPage& page);
+
+    /// Another estimator takes over the indirect light of a point, as in Accumulator.
+    void change_estimator(std::size_t point);
 
     /// Puts the means over the units into the results, and says what was left out.
     void close(const Accumulator& sums, Results& results) const;
@@ -61,11 +66,19 @@ private:
     struct Book {
         std::size_t rows = 0;
         std::vector<float> sums;
+        std::map<std::size_t, std::vector<float>> parked{}; ///< by point: [row][replicate]
     };
 
     [[nodiscard]] Book make_book(std::size_t rows) const;
-    void add(Book& book, const Accumulator::Tile& tile, const std::vector<double>& page);
-    [[nodiscard]] std::vector<float> means(const Book& book, const Accumulator& sums) const;
+    enum class Part { direct, indirect };
+
+    void add(Book& book,
+             Part part,
+             const Accumulator& sums,
+             const Accumulator::Tile& tile,
+             const std::vector<double>& page);
+    [[nodiscard]] std::vector<float>
+    means(const Book& book, Part part, const Accumulator& sums) const;
 
     std::size_t points_;
     std::size_t replicates_;

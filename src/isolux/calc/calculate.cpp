@@ -17,14 +17,17 @@ namespace isolux {
 
 namespace {
 
-/// Independent randomised replicates behind every error bar (METHODS eq. (15)).
-constexpr std::size_t replicates = 16;
+constexpr std::size_t replicates = Engine::replicates;
 
 /// Fewer than this carry no error bar worth the name; an interrupted run then has no result.
 constexpr std::size_t fewest_replicates = 4;
 
 /// Up to so many active points all replicates of a unit run at once.
 constexpr std::size_t points_worth_waiting = 2048;
+
+/// A part of a point's light whose variance is less than this share of what the point may have
+/// rests while the other part is refined.
+constexpr double good_enough = 0.3;
 
 /// A point darker than this share of its surface's mean is held to the tolerance of that share.
 constexpr double darkest_share = 0.02;
@@ -50,9 +53,9 @@ public:
         report("pilot");
         const std::size_t chosen = engine_.prepare(receivers_, target());
         const std::size_t first = settings_.fixed_units.value_or(chosen);
-        expected_ = first * sums_.tiles().size();
+        expected_ = first * sums_.points();
         std::size_t done = 0;
-        for (std::size_t check = 0, target = first;; ++check, target *= 2) {
+        for (std::size_t check = 0, target = first;; ++check) {
             while (done < target && !interrupted_) {
                 if (!run_unit(static_cast<std::uint32_t>(done)))
                     break;
@@ -61,10 +64,16 @@ public:
             if (interrupted_)
                 break;
             looks_ = check + 1;
-            if (close_tiles(check) || settings_.fixed_units)
+            const std::vector<OpenPoint> open = close_points(check);
+            if (open.empty() || settings_.fixed_units)
                 break;
-            engine_.adapt(active_receivers());
-            expected_ = work_done_ + active_tiles() * target;
+            const NextLook next = engine_.adapt(open, done);
+            for (const std::size_t i : next.changed) {
+                sums_.change_estimator(i);
+                books_.change_estimator(i);
+            }
+            target = done + next.units;
+            expected_ = work_done_ + open.size() * next.units;
         }
         return collect(done);
     }
@@ -80,12 +89,13 @@ private:
                 static_cast<double>(replicates)};
     }
 
-    /// One unit for every active tile. False if it was cut short; what is worth keeping is
+    /// One unit for every open point. False if it was cut short; what is worth keeping is
     /// kept.
     bool run_unit(std::uint32_t unit) {
+        const std::size_t open_points = sums_.open_points();
         std::vector<std::size_t> active;
         for (std::size_t t = 0; t < sums_.tiles().size(); ++t)
-            if (sums_.tiles()[t].is_active)
+            if (sums_.is_open(sums_.tiles()[t]))
                 active.push_back(t);
         std::vector<std::vector<double>> direct(active.size());
         std::vector<std::vector<double>> indirect(active.size());
@@ -104,8 +114,7 @@ private:
         });
         // Replicates are independent: few points run them side by side, many one after the
         // other, so that memory stays small and an interruption finds complete ones.
-        const std::size_t side_by_side =
-            active_points() <= points_worth_waiting ? replicates : 1;
+        const std::size_t side_by_side = open_points <= points_worth_waiting ? replicates : 1;
         std::vector<ReplicateFlux> flux(replicates);
         std::size_t complete = 0;
         while (complete < replicates && !cut_short && !must_stop()) {
@@ -122,6 +131,7 @@ private:
                         engine_.estimate_indirect(
                             cache,
                             tile.first,
+                            sums_.open_indirect(tile),
                             r,
                             unit,
                             std::span(indirect[a]).subspan(r * tile.points, tile.points),
@@ -135,7 +145,7 @@ private:
             complete += side_by_side;
             report("calculating",
                    static_cast<double>(complete) / static_cast<double>(replicates)
-                       * static_cast<double>(active.size()));
+                       * static_cast<double>(open_points));
         }
         for (const RayCounts& c : rays) {
             rays_.shadow += c.shadow;
@@ -151,12 +161,13 @@ private:
             sums_.keep_replicates(complete < fewest_replicates ? 0 : complete);
         }
         for (std::size_t a = 0; a < active.size(); ++a) {
-            sums_.add_unit(sums_.tiles()[active[a]], direct[a], indirect[a]);
-            books_.add(sums_.tiles()[active[a]], pages[a]);
+            const Accumulator::Tile& tile = sums_.tiles()[active[a]];
+            sums_.add_unit(tile, direct[a], indirect[a]);
+            books_.add(sums_, tile, pages[a]);
         }
         if (!settings_.direct_only && (engine_.needs_paths() || unit == 0))
             keep_flux(flux);
-        work_done_ += active.size();
+        work_done_ += open_points;
         return complete == replicates;
     }
 
@@ -170,6 +181,8 @@ private:
         std::vector<double> by_source;
         for (std::size_t p = 0; p < tile.points; ++p) {
             const std::size_t index = tile.first + p;
+            if (!sums_.direct_is_open(index))
+                continue;
             engine_.plan_direct(index, rays);
             by_source.assign(books_.layout().sources * replicates, 0.0);
             engine_.estimate_direct(index, unit, 0, values, rays, by_source);
@@ -195,27 +208,51 @@ private:
         ++flux_units_;
     }
 
-    /// Closes the tiles whose points are all within the tolerance. True if none is left.
-    bool close_tiles(std::size_t check) {
+    /// Closes the points that are within the tolerance. @return the others
+    std::vector<OpenPoint> close_points(std::size_t check) {
         const std::vector<double> means = surface_means();
+        std::vector<OpenPoint> open;
         worst_ = 0.0;
-        for (Accumulator::Tile& tile : sums_.tiles()) {
-            if (!tile.is_active)
-                continue;
+        for (const Accumulator::Tile& tile : sums_.tiles()) {
             const StoppingRule r = rule(tile.surface);
             const double floor = floor_of(means[tile.surface]);
-            tile.is_active = false;
+            const double factor = r.factor(check, sums_.replicates());
             for (std::size_t p = 0; p < tile.points; ++p) {
-                const Estimate e = sums_.total(tile, p);
-                if (!r.is_met(e, check, floor))
-                    tile.is_active = true;
-                const double value = std::max(e.mean, floor);
+                if (!sums_.is_open(tile.first + p))
+                    continue;
+                const Accumulator::PointEstimates e = sums_.estimates(tile, p);
+                const double value = std::max(std::abs(e.total.mean), floor);
                 if (value > 0.0)
-                    worst_ = std::max(
-                        worst_, r.factor(check, sums_.replicates()) * e.standard_error / value);
+                    worst_ = std::max(worst_, factor * e.total.standard_error / value);
+                if (r.is_met(e.total, check, floor)) {
+                    sums_.refine(tile.first + p, false, false);
+                    continue;
+                }
+                open.push_back(
+                    open_point(tile.first + p, e, settings_.tolerance * value / factor));
             }
         }
-        return active_tiles() == 0;
+        return open;
+    }
+
+    /// Decides what of a point the next units refine. @param allowed  standard error that it
+    /// may have, lx
+    OpenPoint
+    open_point(std::size_t point, const Accumulator::PointEstimates& e, double allowed) {
+        const auto squared = [](double x) { return x * x; };
+        const double all = squared(allowed);
+        const double direct = squared(e.direct.standard_error);
+        const double indirect = squared(e.indirect.standard_error);
+        const bool refines_direct = direct > good_enough * all;
+        const bool refines_indirect = indirect > good_enough * all || !refines_direct;
+        sums_.refine(point, refines_direct, refines_indirect);
+        // Direct light keeps its share of the error, a smaller one where it is refined.
+        const double rest = std::max(0.25 * all, all - (refines_direct ? 0.5 : 1.0) * direct);
+        OpenPoint open{point, refines_indirect, rest, {}, {}};
+        open.current = {sums_.indirect_units(point), indirect / rest};
+        if (const std::size_t units = sums_.parked_units(point); units > 0)
+            open.parked = {units, squared(sums_.parked(point).standard_error) / rest};
+        return open;
     }
 
     // ---- details -------------------------------------------------------------------------
@@ -237,34 +274,11 @@ private:
         std::vector<double> sums(surfaces_.size(), 0.0);
         for (const Accumulator::Tile& tile : sums_.tiles())
             for (std::size_t p = 0; p < tile.points; ++p)
-                sums[tile.surface] += sums_.total(tile, p).mean;
+                sums[tile.surface] += sums_.estimates(tile, p).total.mean;
         for (std::size_t s = 0; s < sums.size(); ++s)
             sums[s] /=
                 static_cast<double>(std::max<std::size_t>(1, surfaces_[s].receivers.size()));
         return sums;
-    }
-
-    [[nodiscard]] std::size_t active_tiles() const {
-        return static_cast<std::size_t>(std::count_if(
-            sums_.tiles().begin(), sums_.tiles().end(), [](const Accumulator::Tile& t) {
-                return t.is_active;
-            }));
-    }
-
-    [[nodiscard]] std::size_t active_points() const {
-        std::size_t points = 0;
-        for (const Accumulator::Tile& t : sums_.tiles())
-            if (t.is_active)
-                points += t.points;
-        return points;
-    }
-
-    [[nodiscard]] std::vector<std::size_t> active_receivers() const {
-        std::vector<std::size_t> receivers;
-        for (const Accumulator::Tile& t : sums_.tiles())
-            for (std::size_t p = 0; t.is_active && p < t.points; ++p)
-                receivers.push_back(t.first + p);
-        return receivers;
     }
 
     [[nodiscard]] double seconds() const {
@@ -313,7 +327,7 @@ private:
                 p.near_surface = engine_.is_near_surface(point++);
             surface.converged = std::none_of(
                 sums_.tiles().begin(), sums_.tiles().end(), [&](const Accumulator::Tile& t) {
-                    return t.surface == s && t.is_active;
+                    return t.surface == s && sums_.is_open(t);
                 });
             results.converged = results.converged && surface.converged;
         }
@@ -356,7 +370,7 @@ private:
     std::size_t flux_units_ = 0;
     RayCounts rays_;
     std::uint64_t paths_ = 0;
-    std::size_t work_done_ = 0; ///< tile units
+    std::size_t work_done_ = 0; ///< units of points
     std::size_t expected_ = 0;
     std::size_t looks_ = 0;
     double worst_ = 0.0;

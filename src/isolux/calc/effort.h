@@ -82,7 +82,9 @@ struct UnitCosts {
 };
 
 /// @param vertices_per_path  of the pilot
-[[nodiscard]] UnitCosts make_unit_costs(const Scene& scene, double vertices_per_path);
+/// @param images  whether traced paths look for luminaires in mirrors
+[[nodiscard]] UnitCosts
+make_unit_costs(const Scene& scene, double vertices_per_path, bool images);
 
 /// The points that share light paths: how many of each class, and what their samples are worth.
 struct SharedTask {

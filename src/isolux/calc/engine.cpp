@@ -1,6 +1,7 @@
 #include "isolux/calc/engine.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -33,6 +34,29 @@ constexpr double too_near = 1e-3;
 constexpr std::size_t study_paths = 512;
 constexpr std::size_t study_samples = 8; ///< pairs of subpaths of a bidirectional unit
 constexpr std::uint32_t study_replicate = 0xfffffeU;
+
+/// A trial of path tracing may cost this share of what the points' own estimator still needs;
+/// it takes so many paths of a point and replicate.
+constexpr double worth_a_trial = 0.1;
+constexpr double fewest_trial_samples = 16.0;
+constexpr double most_trial_samples = 1024.0;
+
+/// Traced paths are worth more than a trial of a few says they need.
+constexpr double doubt = 1.5;
+
+/// Traced paths of a point, replicate and unit, and how many of them are on their way at once.
+constexpr double most_samples = 1U << 14U;
+constexpr std::size_t samples_at_once = 256;
+
+/// A power of two, or a multiple of samples_at_once: blocks of whole nets.
+std::uint32_t whole_rounds(double samples) noexcept {
+    const auto wanted =
+        static_cast<std::uint32_t>(std::ceil(std::clamp(samples, 4.0, most_samples)));
+    if (wanted <= samples_at_once)
+        return std::bit_ceil(wanted);
+    const auto round = static_cast<std::uint32_t>(samples_at_once);
+    return (wanted + round - 1) / round * round;
+}
 
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
 double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
@@ -72,14 +96,15 @@ Engine::Engine(const Scene& scene, const Settings& settings)
     : scene_(&scene), settings_(settings), emission_(scene), images_(scene),
       direct_(scene, emission_, images_) {}
 
-void Engine::adapt(std::span<const std::size_t> active) {
+NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
+    const NextLook next = change_estimators(open, units);
     SharedTask task{{}, pilot_.of_class, costs_};
-    for (const std::size_t i : active)
-        if (takes_paths(estimators_[i]))
-            ++task.points[static_cast<std::size_t>(classes_[i])];
+    for (const OpenPoint& p : open)
+        if (p.refines_indirect && takes_paths(estimators_[p.receiver]))
+            ++task.points[static_cast<std::size_t>(classes_[p.receiver])];
     needs_paths_ = !settings_.direct_only && task.all() > 0;
     if (!needs_paths_)
-        return;
+        return next;
     // More for each of few points; never less, so that no number is drawn twice.
     const Effort balanced = balance_effort(task, effort_.paths);
     for (std::size_t c = 0; c < point_classes; ++c) {
@@ -88,6 +113,90 @@ void Engine::adapt(std::span<const std::size_t> active) {
         e.directions = std::max(e.directions, balanced.at[c].directions);
         e.looks = std::max(e.looks, balanced.at[c].looks);
     }
+    return next;
+}
+
+/// Who finishes the open points for less, METHODS eq. (124).
+NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t units) {
+    NextLook next{units, {}};
+    if (settings_.estimator != Estimator::automatic || settings_.direct_only)
+        return next;
+    constexpr auto runs = static_cast<double>(replicates);
+    const double paths_cost = runs * static_cast<double>(effort_.paths) * costs_.path;
+    std::vector<OpenPoint> points;
+    std::vector<Finish> finishes;
+    std::vector<std::size_t> unknown; // what tracing them costs
+    double cost = 0.0;
+    double most = 0.0;
+    for (const OpenPoint& p : open) {
+        const std::size_t i = p.receiver;
+        const bool traces = estimators_[i] == PointEstimator::path_tracing;
+        if (!p.refines_indirect || (traces && p.parked.units == 0))
+            continue; // or traced from the beginning
+        const Advance& shared = traces ? p.parked : p.current;
+        Finish f;
+        f.units = static_cast<double>(shared.units) * share_missing(shared);
+        f.unit_cost = runs
+                      * (costs_.of(effort_.paths, effort_of(i), 1)
+                         - static_cast<double>(effort_.paths) * costs_.path);
+        const Advance& traced = traces ? p.current : p.parked;
+        if (traced.units > 0)
+            f.traced = runs * static_cast<double>(traced.units * samples_[i]) * costs_.sample
+                       * share_missing(traced);
+        else if (traced_variance_[i] < 0.0F)
+            unknown.push_back(i);
+        cost += f.units * f.unit_cost;
+        most = std::max(most, f.units);
+        points.push_back(p);
+        finishes.push_back(f);
+    }
+    cost += most * paths_cost;
+    if (!unknown.empty() && !try_out(unknown, worth_a_trial * cost))
+        return next;
+    const auto samples_for = [&](const OpenPoint& p) { // of one replicate, from the beginning
+        return doubt * static_cast<double>(traced_variance_[p.receiver]) / (runs * p.allowed);
+    };
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (finishes[k].traced == 0.0)
+            finishes[k].traced = runs * std::max(samples_for(points[k]), 4.0) * costs_.sample;
+    std::vector<PointEstimator> chosen(points.size(), PointEstimator::mis);
+    for (const std::size_t k : choose_traced(finishes, paths_cost))
+        chosen[k] = PointEstimator::path_tracing;
+    // The light paths are dear: no more of them than the points that need them most ask for.
+    double wanted = 0.0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (chosen[k] == PointEstimator::mis)
+            wanted = std::max(wanted, finishes[k].units);
+    if (wanted > 0.0)
+        next.units = std::min(units, static_cast<std::size_t>(std::ceil(wanted)));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const std::size_t i = points[k].receiver;
+        if (chosen[k] == estimators_[i])
+            continue;
+        estimators_[i] = chosen[k];
+        if (points[k].parked.units == 0) // numbers of a second turn must not meet the first's
+            samples_[i] =
+                whole_rounds(samples_for(points[k]) / static_cast<double>(next.units));
+        next.changed.push_back(i);
+    }
+    return next;
+}
+
+/// Traces a few paths from points to learn what they vary by. @param worth  what that may cost,
+/// ns @return whether it was enough for a trial
+bool Engine::try_out(std::span<const std::size_t> points, double worth) {
+    const double samples =
+        worth / (replicates * costs_.sample * static_cast<double>(points.size()));
+    if (samples < fewest_trial_samples)
+        return false;
+    const std::vector<double> found = try_tracing(
+        pilot_scene(),
+        points,
+        std::bit_floor(static_cast<std::size_t>(std::min(samples, most_trial_samples))),
+        replicates);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        traced_variance_[points[k]] = static_cast<float>(found[k]);
+    return true;
 }
 
 void Engine::fix_counts() {
@@ -139,24 +248,18 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         leaves_corners[i] = is_within(i, corner) ? 1 : 0;
         ++points[static_cast<std::size_t>(classes_[i])];
     }
-    pilot_ = run_pilot({scene_,
-                        &emission_,
-                        &images_,
-                        receivers_,
-                        clear_,
-                        classes_,
-                        leaves_corners,
-                        corner,
-                        settings_.seed,
-                        !settings_.direct_only,
-                        [&](std::size_t i, std::uint32_t first, std::span<double> values) {
-                            RayCounts unused;
-                            plan_direct(i, unused);
-                            estimate_direct(i, 0, first, values, unused);
-                            return direct_.samples_of(plans_[i]);
-                        }},
-                       target);
-    costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path);
+    PilotScene scene = pilot_scene();
+    scene.leaves_corners = leaves_corners;
+    scene.corner = corner;
+    scene.direct = [&](std::size_t i, std::uint32_t first, std::span<double> values) {
+        RayCounts unused;
+        plan_direct(i, unused);
+        estimate_direct(i, 0, first, values, unused);
+        return direct_.samples_of(plans_[i]);
+    };
+    pilot_ = run_pilot(scene, target);
+    costs_ = make_unit_costs(
+        *scene_, pilot_.vertices_per_path, !images_.chains().empty());
     plan_ = make_work_plan(settings_, pilot_, costs_, points);
     effort_ = plan_.effort;
     fix_counts();
@@ -164,9 +267,24 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     return plan_.units;
 }
 
+PilotScene Engine::pilot_scene() const {
+    PilotScene scene;
+    scene.scene = scene_;
+    scene.emission = &emission_;
+    scene.images = &images_;
+    scene.receivers = receivers_;
+    scene.clear = clear_;
+    scene.classes = classes_;
+    scene.seed = settings_.seed;
+    scene.reflected = !settings_.direct_only;
+    return scene;
+}
+
 /// Which points are traced: a matter of geometry and of the pilot only, so it biases nothing.
 void Engine::choose_estimators() {
     estimators_.assign(receivers_.size(), PointEstimator::mis);
+    samples_.assign(receivers_.size(), static_cast<std::uint32_t>(effort_.samples));
+    traced_variance_.assign(receivers_.size(), -1.0F);
     for (std::size_t i = 0; i < receivers_.size(); ++i)
         switch (settings_.estimator) {
         case Estimator::local_estimation:
@@ -268,43 +386,58 @@ void Engine::send_rays(const VertexCache& cache,
     thread_local std::vector<Rgb> sums;
     thread_local std::vector<double> by_source;
     thread_local std::vector<double> by_material;
-    senders.clear();
     const bool traces = estimator == PointEstimator::path_tracing;
-    for (const std::size_t i : points) {
-        const std::size_t samples = traces ? effort_.samples : effort_of(i).directions;
-        senders.push_back({&receivers_[i],
-                           clear_[i],
-                           {settings_.seed, StreamPurpose::gather, replicate, i},
-                           samples,
-                           static_cast<std::uint32_t>(unit * samples),
-                           is_within(i, counts_.corner)});
+    std::size_t rounds = 1;
+    for (const std::size_t i : points)
+        rounds = traces ? std::max(rounds, rounds_of(i)) : 1;
+    for (std::size_t round = 0; round < rounds; ++round) {
+        senders.clear();
+        for (const std::size_t i : points) {
+            const std::size_t samples = traces ? samples_[i] : effort_of(i).directions;
+            const bool takes_part = !traces || round < rounds_of(i);
+            senders.push_back(
+                {&receivers_[i],
+                 clear_[i],
+                 {settings_.seed, StreamPurpose::gather, replicate, i},
+                 !takes_part ? 0 : traces ? std::min(samples, samples_at_once) : samples,
+                 static_cast<std::uint32_t>(unit * samples + round * samples_at_once),
+                 is_within(i, counts_.corner)});
+        }
+        sums.assign(points.size(), {});
+        front.start(*scene_, emission_, images_, senders);
+        if (traces) {
+            front.add_tracing();
+        } else {
+            front.share_with(cache, counts_, estimator == PointEstimator::mis);
+            front.add_gathering();
+        }
+        // The points may be some of the tile's only.
+        const std::size_t n = points.size();
+        const std::size_t tile_points = tile.total.size();
+        by_source.assign(tile.by_source.size() / tile_points * n, 0.0);
+        by_material.assign(tile.by_material.size() / tile_points * n, 0.0);
+        rays.gather += front.run({sums, layout_, by_source, by_material});
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::size_t point = points[k] - first;
+            const double share =
+                traces ? 1.0 / static_cast<double>(rounds_of(points[k])) : 1.0;
+            tile.total[point] += share * sums[k];
+            for (std::size_t s = 0; s < by_source.size() / n; ++s)
+                tile.by_source[s * tile_points + point] += share * by_source[s * n + k];
+            for (std::size_t m = 0; m < by_material.size() / n; ++m)
+                tile.by_material[m * tile_points + point] += share * by_material[m * n + k];
+        }
     }
-    sums.assign(points.size(), {});
-    front.start(*scene_, emission_, images_, senders);
-    if (traces) {
-        front.add_tracing();
-    } else {
-        front.share_with(cache, counts_, estimator == PointEstimator::mis);
-        front.add_gathering();
-    }
-    // The points may be some of the tile's only.
-    const std::size_t n = points.size();
-    const std::size_t tile_points = tile.total.size();
-    by_source.assign(tile.by_source.size() / tile_points * n, 0.0);
-    by_material.assign(tile.by_material.size() / tile_points * n, 0.0);
-    rays.gather += front.run({sums, layout_, by_source, by_material});
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t point = points[k] - first;
-        tile.total[point] += sums[k];
-        for (std::size_t s = 0; s < by_source.size() / n; ++s)
-            tile.by_source[s * tile_points + point] += by_source[s * n + k];
-        for (std::size_t m = 0; m < by_material.size() / n; ++m)
-            tile.by_material[m * tile_points + point] += by_material[m * n + k];
-    }
+}
+
+/// Traced paths of a point go in rounds, so that few are on their way at once.
+std::size_t Engine::rounds_of(std::size_t receiver) const noexcept {
+    return std::max<std::size_t>(1, samples_[receiver] / samples_at_once);
 }
 
 void Engine::estimate_indirect(const VertexCache& cache,
                                std::size_t first,
+                               std::span<const std::uint8_t> open,
                                std::uint32_t replicate,
                                std::uint32_t unit,
                                std::span<double> result,
@@ -319,7 +452,7 @@ void Engine::estimate_indirect(const VertexCache& cache,
          {PointEstimator::local, PointEstimator::mis, PointEstimator::path_tracing}) {
         points.clear();
         for (std::size_t i = first; i < first + result.size(); ++i)
-            if (estimators_[i] == estimator)
+            if (estimators_[i] == estimator && (open.empty() || open[i - first] != 0))
                 points.push_back(i);
         if (points.empty())
             continue;
@@ -337,7 +470,8 @@ void Engine::estimate_indirect(const VertexCache& cache,
             send_rays(cache, points, first, replicate, unit, estimator, tile, rays);
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
-        if (estimators_[first + i] == PointEstimator::study)
+        if (estimators_[first + i] == PointEstimator::study
+            && (open.empty() || open[i] != 0))
             light[i] = study_.estimate(
                 *scene_,
                 emission_,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "isolux/calc/books.h"
+#include "isolux/calc/last_points.h"
 #include "isolux/calc/project.h"
 #include "isolux/calc/results.h"
 #include "isolux/calc/study_estimators.h"
@@ -25,6 +26,9 @@ struct ReplicateFlux {
 /// whoever calls and in whatever order. Knows nothing of tolerances.
 class Engine {
 public:
+    /// Independent randomised replicates behind every error bar (METHODS eq. (15)).
+    static constexpr std::size_t replicates = 16;
+
     Engine(const Scene& scene, const Settings& settings);
 
     [[nodiscard]] const Emission& emission() const noexcept { return emission_; }
@@ -40,8 +44,9 @@ public:
 
     /// Fits the work to the points that still need any: the light paths cost the same for few
     /// as for many, and points that are traced need none. Numbers drawn before stay drawn.
-    /// @param active  numbers of the receivers
-    void adapt(std::span<const std::size_t> active);
+    /// @param open   in ascending order
+    /// @param units  done so far
+    NextLook adapt(std::span<const OpenPoint> open, std::size_t units);
 
     /// Per receiver, as given to prepare().
     [[nodiscard]] PointEstimator estimator_of(std::size_t receiver) const noexcept {
@@ -56,8 +61,10 @@ public:
     [[nodiscard]] VertexCache build_cache(std::uint32_t replicate, std::uint32_t unit) const;
 
     /// Indirect illuminance of receivers [first, first + result.size()), lx. Adds to the books.
+    /// @param open  which of them are wanted; empty: all
     void estimate_indirect(const VertexCache& cache,
                            std::size_t first,
+                           std::span<const std::uint8_t> open,
                            std::uint32_t replicate,
                            std::uint32_t unit,
                            std::span<double> result,
@@ -99,6 +106,11 @@ private:
         return effort_.at[static_cast<std::size_t>(classes_[receiver])];
     }
 
+    [[nodiscard]] PilotScene pilot_scene() const;
+    [[nodiscard]] NextLook change_estimators(std::span<const OpenPoint> open,
+                                             std::size_t units);
+    bool try_out(std::span<const std::size_t> points, double worth);
+    [[nodiscard]] std::size_t rounds_of(std::size_t receiver) const noexcept;
     void choose_estimators();
     void fix_counts();
     [[nodiscard]] bool takes_paths(PointEstimator e) const noexcept;
@@ -134,6 +146,8 @@ private:
     std::vector<DirectPlan> plans_;
     std::vector<Point3> clear_; ///< where their rays start
     std::vector<PointEstimator> estimators_;
+    std::vector<std::uint32_t> samples_;    ///< of a traced point, per replicate and unit
+    std::vector<float> traced_variance_;    ///< of one traced path, lx2; below 0: not known
     std::vector<PointClass> classes_;
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;

@@ -16,8 +16,9 @@ namespace {
 constexpr std::size_t paths = pilot_paths;
 constexpr std::size_t draws = 8;      ///< twice
 constexpr std::size_t directions = 1; ///< twice
-constexpr std::size_t samples = 2;    ///< of path tracing
+constexpr std::size_t traced_samples = 2;
 constexpr std::size_t tile = 16;
+constexpr std::uint32_t first_trial = 1U << 16U; ///< number of the first sample of a trial
 
 /// Replicates that the run itself does not use.
 constexpr std::uint32_t first_replicate = 0xffff00U;
@@ -103,7 +104,7 @@ public:
         }
         std::fill(sums.begin(), sums.end(), Rgb{});
         for (RayPoint& s : senders)
-            s.samples = samples, s.first = 2;
+            s.samples = traced_samples, s.first = 2;
         front.start(*task_.scene, *task_.emission, *task_.images, senders);
         front.add_tracing();
         front.run({sums, nullptr, {}, {}});
@@ -155,7 +156,7 @@ PointVariance judge(std::span<const Look> looks) {
     v.model.directions = static_cast<double>(directions) * inside_gathered;
     const double rest = variance_of(indirect) - 0.5 * inside_local - 0.5 * inside_gathered;
     v.model.paths = static_cast<double>(paths) * rest; // may be negative; the mean is not
-    v.model.samples = static_cast<double>(samples) * variance_of(traced);
+    v.model.samples = static_cast<double>(traced_samples) * variance_of(traced);
     v.model.direct = variance_of(direct);
     v.model.look_samples = looks.front().look_samples;
     return v;
@@ -276,6 +277,42 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     Pilot pilot = summarise(variances, classes, all_points, target);
     pilot.vertices_per_path = vertices;
     return pilot;
+}
+
+std::vector<double> try_tracing(const PilotScene& task,
+                                std::span<const std::size_t> receivers,
+                                std::size_t samples,
+                                std::size_t replicates) {
+    std::vector<double> values(receivers.size() * replicates); // [receiver][replicate]
+    const std::size_t tiles = (receivers.size() + tile - 1) / tile;
+    for_each_index(tiles * replicates, 1, [&](std::size_t k) {
+        const std::size_t r = k / tiles;
+        const std::size_t begin = k % tiles * tile;
+        const std::size_t end = std::min(receivers.size(), begin + tile);
+        std::vector<RayPoint> senders;
+        for (std::size_t p = begin; p < end; ++p)
+            senders.push_back({&task.receivers[receivers[p]],
+                               task.clear[receivers[p]],
+                               {task.seed,
+                                StreamPurpose::pilot,
+                                first_replicate + static_cast<std::uint32_t>(r),
+                                receivers[p]},
+                               samples,
+                               first_trial});
+        std::vector<Rgb> sums(senders.size());
+        WalkFront front;
+        front.start(*task.scene, *task.emission, *task.images, senders);
+        front.add_tracing();
+        front.run({sums, nullptr, {}, {}});
+        for (std::size_t p = begin; p < end; ++p)
+            values[p * replicates + r] = luminance_sum(sums[p - begin]);
+    });
+    std::vector<double> variances;
+    for (std::size_t p = 0; p < receivers.size(); ++p)
+        variances.push_back(
+            static_cast<double>(samples)
+            * variance_of(std::span(values).subspan(p * replicates, replicates)));
+    return variances;
 }
 
 } // namespace isolux
