@@ -77,9 +77,9 @@ void expect_near(const Vector3& a, const Vector3& b, double tolerance) {
 
 /// Illuminances of the project against those of independent engines, METHODS 7.1: every |z| of
 /// the 680 points at most 6 (their errors and ours, 16 replicates), no common bias beyond 0.2
-/// %. The points of a run share its light paths, so their z are those of four runs.
+/// %. The points of a run share its light paths, so their z are those of two runs.
 void expect_illuminances(const std::string& text, const std::string& name) {
-    constexpr std::uint64_t runs = 4;
+    constexpr std::uint64_t runs = 2;
     const JsonValue reference =
         parse_json(read_bytes(scenes / "reference" / (name + ".json")), "reference");
     const std::vector<JsonValue>& groups = reference.find("groups")->items;
