@@ -108,9 +108,8 @@ Accumulator::PointEstimates Accumulator::estimates(const Tile& tile,
                                                    std::size_t point_in_tile) const {
     std::vector<double> d(replicates_), i(replicates_), t(replicates_);
     replicate_values(tile, point_in_tile, d, i, t);
-    return {estimate_from_replicates(d),
-            estimate_from_replicates(i),
-            estimate_from_replicates(t)};
+    return {
+        estimate_from_replicates(d), estimate_from_replicates(i), estimate_from_replicates(t)};
 }
 
 SurfaceResult Accumulator::surface_result(const CalculationSurface& surface,

@@ -74,8 +74,8 @@ public:
     [[nodiscard]] std::size_t parked_units(std::size_t point) const noexcept;
     [[nodiscard]] Estimate parked(std::size_t point) const;
 
-    /// Adds one unit of a tile to what is open of its points. Values are [replicate * tile.points +
-    /// point], lx.
+    /// Adds one unit of a tile to what is open of its points. Values are [replicate *
+    /// tile.points + point], lx.
     void add_unit(const Tile& tile,
                   std::span<const double> direct,
                   std::span<const double> indirect);
@@ -111,7 +111,7 @@ private:
 
     std::vector<Tile> tiles_;
     std::map<std::size_t, Parked> parked_; ///< by point
-    std::vector<double> direct_; ///< sums over units, [replicate][point]
+    std::vector<double> direct_;           ///< sums over units, [replicate][point]
     std::vector<double> indirect_;
     std::vector<std::uint32_t> direct_units_; ///< by point
     std::vector<std::uint32_t> indirect_units_;

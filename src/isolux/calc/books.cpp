@@ -125,9 +125,8 @@ std::vector<float> Books::means(const Book& book, Part part, const Accumulator& 
             continue;
         for (std::size_t row = 0; row < book.rows; ++row)
             for (std::size_t r = 0; r < kept; ++r) {
-                const float sum =
-                    stands_in ? book.parked.at(p)[row * replicates_ + r]
-                              : book.sums[(row * replicates_ + r) * points_ + p];
+                const float sum = stands_in ? book.parked.at(p)[row * replicates_ + r]
+                                            : book.sums[(row * replicates_ + r) * points_ + p];
                 values[(row * kept + r) * points_ + p] = sum / static_cast<float>(units);
             }
     }
@@ -147,8 +146,11 @@ void Books::close(const Accumulator& sums, Results& results) const {
     const std::size_t kept = sums.replicates();
     results.notices.insert(results.notices.end(), notices_.begin(), notices_.end());
     if (!sources_.empty() && kept > 0)
-        results.contributions = Contributions{
-            sources_, kept, points_, means(direct_, Part::direct, sums), means(indirect_, Part::indirect, sums)};
+        results.contributions = Contributions{sources_,
+                                              kept,
+                                              points_,
+                                              means(direct_, Part::direct, sums),
+                                              means(indirect_, Part::indirect, sums)};
     if (!materials_.empty() && kept > 0)
         results.sensitivities =
             Sensitivities{materials_, kept, points_, means(derivatives_, Part::indirect, sums)};

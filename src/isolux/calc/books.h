@@ -51,8 +51,8 @@ public:
                       std::size_t point_in_tile,
                       std::span<const double> by_source) const;
 
-    /// Adds a complete unit to what is open of the tile's points. Different tiles may be added by
-    /// different threads.
+    /// Adds a complete unit to what is open of the tile's points. Different tiles may be added
+    /// by different threads.
     void add(const Accumulator& sums, const Accumulator::Tile& tile, const BookPage& page);
 
     /// Another estimator takes over the indirect light of a point, as in Accumulator.

@@ -82,9 +82,9 @@ struct UnitCosts {
 };
 
 /// @param vertices_per_path  of the pilot
-/// @param images  whether traced paths look for luminaires in mirrors
+/// @param images  how often traced paths look for a luminaire in mirrors, 0..1 a vertex
 [[nodiscard]] UnitCosts
-make_unit_costs(const Scene& scene, double vertices_per_path, bool images);
+make_unit_costs(const Scene& scene, double vertices_per_path, double images);
 
 /// The points that share light paths: how many of each class, and what their samples are worth.
 struct SharedTask {

@@ -258,8 +258,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         return direct_.samples_of(plans_[i]);
     };
     pilot_ = run_pilot(scene, target);
-    costs_ = make_unit_costs(
-        *scene_, pilot_.vertices_per_path, !images_.chains().empty());
+    costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path, images_.draws());
     plan_ = make_work_plan(settings_, pilot_, costs_, points);
     effort_ = plan_.effort;
     fix_counts();
@@ -399,7 +398,9 @@ void Engine::send_rays(const VertexCache& cache,
                 {&receivers_[i],
                  clear_[i],
                  {settings_.seed, StreamPurpose::gather, replicate, i},
-                 !takes_part ? 0 : traces ? std::min(samples, samples_at_once) : samples,
+                 !takes_part ? 0
+                 : traces    ? std::min(samples, samples_at_once)
+                             : samples,
                  static_cast<std::uint32_t>(unit * samples + round * samples_at_once),
                  is_within(i, counts_.corner)});
         }
@@ -419,8 +420,7 @@ void Engine::send_rays(const VertexCache& cache,
         rays.gather += front.run({sums, layout_, by_source, by_material});
         for (std::size_t k = 0; k < n; ++k) {
             const std::size_t point = points[k] - first;
-            const double share =
-                traces ? 1.0 / static_cast<double>(rounds_of(points[k])) : 1.0;
+            const double share = traces ? 1.0 / static_cast<double>(rounds_of(points[k])) : 1.0;
             tile.total[point] += share * sums[k];
             for (std::size_t s = 0; s < by_source.size() / n; ++s)
                 tile.by_source[s * tile_points + point] += share * by_source[s * n + k];
@@ -470,8 +470,7 @@ void Engine::estimate_indirect(const VertexCache& cache,
             send_rays(cache, points, first, replicate, unit, estimator, tile, rays);
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
-        if (estimators_[first + i] == PointEstimator::study
-            && (open.empty() || open[i] != 0))
+        if (estimators_[first + i] == PointEstimator::study && (open.empty() || open[i] != 0))
             light[i] = study_.estimate(
                 *scene_,
                 emission_,

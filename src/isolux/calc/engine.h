@@ -146,8 +146,8 @@ private:
     std::vector<DirectPlan> plans_;
     std::vector<Point3> clear_; ///< where their rays start
     std::vector<PointEstimator> estimators_;
-    std::vector<std::uint32_t> samples_;    ///< of a traced point, per replicate and unit
-    std::vector<float> traced_variance_;    ///< of one traced path, lx2; below 0: not known
+    std::vector<std::uint32_t> samples_; ///< of a traced point, per replicate and unit
+    std::vector<float> traced_variance_; ///< of one traced path, lx2; below 0: not known
     std::vector<PointClass> classes_;
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;

@@ -16,9 +16,9 @@ struct Advance {
 struct OpenPoint {
     std::size_t receiver = 0;
     bool refines_indirect = true; ///< false: only its direct light needs more
-    double allowed = 0.0; ///< variance that its indirect light may have, lx2
-    Advance current;      ///< of the estimator that serves it now
-    Advance parked;       ///< of the one that did before
+    double allowed = 0.0;         ///< variance that its indirect light may have, lx2
+    Advance current;              ///< of the estimator that serves it now
+    Advance parked;               ///< of the one that did before
 };
 
 /// What it takes to finish an open point in one way or the other.

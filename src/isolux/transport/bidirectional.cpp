@@ -312,25 +312,24 @@ struct Pair {
     /// Point sources in mirrors, at a vertex that the receiver sees in mirrors only: light that
     /// no two ends of subpaths can join.
     [[nodiscard]] Rgb imaged_points(const SubpathVertex& y) const {
-        const auto& chains = images.chains();
-        if (chains.empty() || !y.only_mirrors)
+        if (images.chains().empty() || !y.only_mirrors)
             return {};
-        const double count = static_cast<double>(chains.size());
-        const auto& chain = chains[std::min(chains.size() - 1,
-                                            static_cast<std::size_t>(numbers.next() * count))];
+        const auto [chain, probability] = images.draw_chain(numbers.next());
+        if (chain == nullptr)
+            return {};
         const double u_luminaire = numbers.next();
         const double u = numbers.next();
         const TowardsSample sample = emission.sample_towards(
-            image_of(images, chain, y.at), u_luminaire, u, numbers.next());
+            image_of(images, *chain, y.at), u_luminaire, u, numbers.next());
         if (!(sample.density > 0.0)
             || emission.luminaire(sample.from.luminaire).opening.form != OpeningForm::point)
             return {};
         const ImageLight light =
-            trace_image(scene, emission, images, chain, y.at, sample, rays);
+            trace_image(scene, emission, images, *chain, y.at, sample, rays);
         const double cosine = std::max(0.0, dot(y.normal, light.arrival));
         if (!(light.strength > 0.0))
             return {};
-        return (count * light.strength * cosine / (pi * sample.density))
+        return (light.strength * cosine / (pi * probability * sample.density))
                * (emission.colour(sample.from.luminaire) * (y.carried * y.diffuse));
     }
 };

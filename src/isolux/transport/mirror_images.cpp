@@ -20,6 +20,14 @@ bool is_mirror(const Material& m) noexcept {
     return true;
 }
 
+/// Panes reflect 0.08 where light falls straight on them, more at an angle.
+constexpr double pane_strength = 0.1;
+
+double strength_of(const Material& m) noexcept {
+    const auto* opaque = std::get_if<Opaque>(&m.scattering);
+    return opaque != nullptr ? opaque->mirror : pane_strength;
+}
+
 bool same_plane(const MirrorImages::Mirror& m,
                 const SceneTriangle& t,
                 double tolerance) noexcept {
@@ -54,10 +62,13 @@ MirrorImages::MirrorImages(const Scene& scene) {
             while (m < mirrors_.size() && !same_plane(mirrors_[m], t, tolerance))
                 ++m;
             if (m == mirrors_.size())
-                mirrors_.push_back({t.corner[0], t.normal, t.corner[0], t.corner[0]});
+                mirrors_.push_back({t.corner[0], t.normal, t.corner[0], t.corner[0], 0.0});
         }
-        if (m < mirrors_.size())
+        if (m < mirrors_.size()) {
             grow(mirrors_[m], t);
+            mirrors_[m].strength =
+                std::max(mirrors_[m].strength, strength_of(scene.material(t.material)));
+        }
         mirror_of_triangle_.push_back(m);
     }
     for (std::size_t& m : mirror_of_triangle_)
@@ -82,6 +93,25 @@ MirrorImages::MirrorImages(const Scene& scene) {
     }
     if (mirrors_.size() == 1)
         order_ = most_reflections; // no longer chain exists
+
+    double sum = 0.0;
+    for (const auto& chain : chains_) {
+        double strength = 1.0;
+        for (const std::uint32_t m : chain)
+            strength *= mirrors_[m].strength;
+        sum += strength;
+        cumulative_.push_back(sum);
+    }
+    for (double& c : cumulative_)
+        c /= std::max(sum, 1.0);
+}
+
+MirrorImages::DrawnChain MirrorImages::draw_chain(double u) const noexcept {
+    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), u);
+    if (found == cumulative_.end())
+        return {};
+    const double before = found == cumulative_.begin() ? 0.0 : *(found - 1);
+    return {&chains_[static_cast<std::size_t>(found - cumulative_.begin())], *found - before};
 }
 
 Point3 image_of(const MirrorImages& images,

@@ -21,6 +21,7 @@ public:
         UnitVector3 normal;
         Point3 lower; ///< box around its triangles
         Point3 upper;
+        double strength = 0.0; ///< about what it reflects at most
     };
 
     [[nodiscard]] const std::vector<Mirror>& mirrors() const noexcept { return mirrors_; }
@@ -45,7 +46,21 @@ public:
         return chains_;
     }
 
+    /// A chain for one sample, or none; strong ones are drawn more often, METHODS eq. (125).
+    struct DrawnChain {
+        const std::vector<std::uint32_t>* chain = nullptr; ///< null: none
+        double probability = 0.0;
+    };
+
+    [[nodiscard]] DrawnChain draw_chain(double u) const noexcept;
+
+    /// How often draw_chain finds one, 0..1.
+    [[nodiscard]] double draws() const noexcept {
+        return cumulative_.empty() ? 0.0 : cumulative_.back();
+    }
+
 private:
+    std::vector<double> cumulative_; ///< probabilities of the chains; the last is at most 1
     std::vector<Mirror> mirrors_;
     std::vector<std::size_t> mirror_of_triangle_;
     std::vector<std::vector<std::uint32_t>> chains_;

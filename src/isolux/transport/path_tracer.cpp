@@ -29,23 +29,22 @@ Rgb direct_at(const Scene& scene,
     const double v = numbers.next();
     Rgb e = estimate_next_event(scene, emission, y.at, y.normal, u_luminaire, u, v).illuminance;
     ++rays;
-    const auto& chains = images.chains();
-    if (chains.empty())
+    if (images.chains().empty())
         return e;
-    const double count = static_cast<double>(chains.size());
-    const auto& chain =
-        chains[std::min(chains.size() - 1, static_cast<std::size_t>(numbers.next() * count))];
+    const auto [chain, probability] = images.draw_chain(numbers.next());
+    if (chain == nullptr)
+        return e;
     const double u_l = numbers.next();
     const double u_i = numbers.next();
     const double v_i = numbers.next();
     const TowardsSample sample =
-        emission.sample_towards(image_of(images, chain, y.at), u_l, u_i, v_i);
+        emission.sample_towards(image_of(images, *chain, y.at), u_l, u_i, v_i);
     if (!(sample.density > 0.0))
         return e;
-    const ImageLight light = trace_image(scene, emission, images, chain, y.at, sample, rays);
+    const ImageLight light = trace_image(scene, emission, images, *chain, y.at, sample, rays);
     const double cosine = std::max(0.0, dot(y.normal, light.arrival));
     if (light.strength > 0.0)
-        e += (count * light.strength * cosine / sample.density)
+        e += (light.strength * cosine / (probability * sample.density))
              * emission.colour(sample.from.luminaire);
     return e;
 }

@@ -232,27 +232,26 @@ bool WalkFront::is_in_corner(const Point3& from, const Meeting& y) const noexcep
     return y.reflections == 0 && length_squared(y.at - from) < counts_.corner * counts_.corner;
 }
 
-/// Light of the luminaires over one randomly chosen chain of imaged mirrors.
+/// Light of the luminaires over one randomly chosen chain of imaged mirrors, or none.
 void WalkFront::collect_images(Walk& walk, const Meeting& y) {
-    const auto& chains = images_->chains();
-    if (chains.empty())
+    if (images_->chains().empty())
         return;
-    const double count = static_cast<double>(chains.size());
-    const auto& chain = chains[std::min(chains.size() - 1,
-                                        static_cast<std::size_t>(walk.numbers.next() * count))];
+    const auto [chain, probability] = images_->draw_chain(walk.numbers.next());
+    if (chain == nullptr)
+        return;
     const double u_luminaire = walk.numbers.next();
     const double u = walk.numbers.next();
     const double v = walk.numbers.next();
     const TowardsSample sample =
-        emission_->sample_towards(image_of(*images_, chain, y.at), u_luminaire, u, v);
+        emission_->sample_towards(image_of(*images_, *chain, y.at), u_luminaire, u, v);
     if (!(sample.density > 0.0))
         return;
     const ImageLight light =
-        trace_image(*scene_, *emission_, *images_, chain, y.at, sample, rays_);
+        trace_image(*scene_, *emission_, *images_, *chain, y.at, sample, rays_);
     const double cosine = std::max(0.0, dot(y.normal, light.arrival));
     if (!(light.strength * cosine > 0.0))
         return;
-    const double e = count * light.strength * cosine / sample.density;
+    const double e = light.strength * cosine / (probability * sample.density);
     ledger_->add(walk.point,
                  sample.from.luminaire,
                  (y.throughput * e / pi)
