@@ -128,7 +128,8 @@ struct Builder {
                     luminaires,
                     bounds,
                     area,
-                    RayCaster(cast)};
+                    RayCaster(cast),
+                    {}};
         return scene;
     }
 };
