@@ -1,7 +1,7 @@
 #include "isolux/calc/render.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <ctime>
 
@@ -15,6 +15,8 @@ namespace isolux {
 namespace {
 
 constexpr std::size_t most_samples = 65535;
+constexpr double least_planned = 8.0;        ///< below, all pixels get the same
+constexpr double samples_of_a_cycle = 16.0;  ///< a pixel, on average
 constexpr std::size_t tile_rows_at_once = 4; ///< between looks at the clock
 
 double cpu_seconds() {
@@ -33,6 +35,8 @@ public:
         const std::size_t n = setup_.size.pixels();
         pilot_.is_near_edge.assign(n, 0);
         pilot_.faint.assign(n, 0);
+        pilot_.has_more.assign(n, 0);
+        pilot_.reflected.assign(n, 0.0F);
         for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo})
             p->assign(n, 0.0F);
         sums_.illuminance.assign(n, 0.0F);
@@ -48,12 +52,14 @@ public:
         const std::size_t samples = std::clamp<std::size_t>(settings_.samples, 2, most_samples);
         if (!walk_pilot())
             return finish();
+        make_plan(static_cast<double>(samples));
         std::size_t next_check = 2 * picture_replicates;
-        for (std::uint32_t pass = 0; pass < samples; ++pass) {
-            if (!run_pass(pass, samples))
+        for (std::uint32_t pass = 0; pass < passes_; ++pass) {
+            if (!run_pass(pass))
                 break;
             // Complete sets of replicates only, at doublings.
-            if (settings_.tolerance && pass + 1 == next_check) {
+            if (settings_.tolerance && (pass + 1) % picture_replicates == 0
+                && taken_ >= static_cast<double>(next_check * setup_.size.pixels())) {
                 next_check *= 2;
                 if (error_of_raw() <= *settings_.tolerance)
                     break;
@@ -82,35 +88,52 @@ private:
         return true;
     }
 
-    bool run_pass(std::uint32_t pass, std::size_t samples) {
+    /// Pictures that are filtered along surfaces, or wanted to a tolerance, get their samples
+    /// where they are needed.
+    void make_plan(double samples) {
+        passes_ = static_cast<std::uint32_t>(samples);
+        wanted_ = samples * static_cast<double>(setup_.size.pixels());
+        plan_.active = {setup_.size.pixels()};
+        const bool is_even = settings_.filter != PictureFilter::axis_aligned
+                             || settings_.is_preview || samples < least_planned;
+        if (!is_even) {
+            report("pilot", 0.0);
+            const double cycles = std::max(1.0, std::round(samples / samples_of_a_cycle));
+            plan_ = plan_samples(setup_, pilot_, buffers_, samples / cycles);
+            passes_ = static_cast<std::uint32_t>(
+                cycles * static_cast<double>(plan_.active.size() * picture_replicates));
+        }
+        pilot_.has_more = {};
+        pilot_.reflected = {};
+    }
+
+    bool run_pass(std::uint32_t pass) {
         if (must_stop())
             return false;
-        const std::size_t slices = setup_.slices_a_side * setup_.slices_a_side;
         const std::uint32_t replicate = pass % picture_replicates;
-        const std::uint64_t unit = pass / picture_replicates;
-        const PathRandomness random(settings_.seed, replicate);
-        std::vector<VertexCache> caches(slices);
-        for_each_index(slices, 1, [&](std::size_t s) {
-            caches[s] = build_vertex_cache(setup_.scene,
-                                           setup_.emission,
-                                           random,
-                                           (unit * slices + s) * setup_.paths_a_slice,
-                                           setup_.paths_a_slice,
-                                           setup_.counts);
-        });
+        const std::size_t block = pass / picture_replicates % plan_.active.size();
+        std::vector<VertexCache>& caches = caches_[replicate];
+        // Few pixels go on with other slices of the paths they have.
+        constexpr std::size_t many = 4;
+        used_[replicate] += plan_.active[block];
+        if (caches.empty() || used_[replicate] * many >= setup_.size.pixels()) {
+            caches = build_caches(setup_, replicate, pass / picture_replicates);
+            used_[replicate] = 0;
+        }
         const std::size_t tile_columns = (setup_.size.columns + tile_side - 1) / tile_side;
         const std::size_t tile_rows = (setup_.size.rows + tile_side - 1) / tile_side;
         for (std::size_t first = 0; first < tile_rows; first += tile_rows_at_once) {
             if (must_stop())
                 return false;
+            const double share = static_cast<double>(first) / static_cast<double>(tile_rows);
             report("rendering",
-                   (static_cast<double>(pass)
-                    + static_cast<double>(first) / static_cast<double>(tile_rows))
-                       / static_cast<double>(samples));
+                   (taken_ + share * static_cast<double>(plan_.active[block])) / wanted_);
             const std::size_t end = std::min(tile_rows, first + tile_rows_at_once);
             for_each_index((end - first) * tile_columns, 1, [&](std::size_t t) {
                 add_samples(setup_,
                             pass,
+                            plan_,
+                            block,
                             caches,
                             t % tile_columns * tile_side,
                             (first + t / tile_columns) * tile_side,
@@ -119,6 +142,7 @@ private:
                             sums_);
             });
         }
+        taken_ += static_cast<double>(plan_.active[block]);
         return true;
     }
 
@@ -348,7 +372,8 @@ private:
         constexpr std::size_t sums = 4 * 3 + 1 + picture_replicates; // floats
         constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
         return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
-               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1;
+               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1 + sizeof(float)
+               + 2; // the plan of samples
     }
 
     const View& view_;
@@ -360,6 +385,12 @@ private:
     ViewSetup setup_;
     PixelBuffers buffers_;
     PilotPlanes pilot_;
+    SamplePlan plan_;
+    std::uint32_t passes_ = 0;
+    double wanted_ = 0.0; ///< samples, of all pixels together
+    double taken_ = 0.0;
+    std::array<std::vector<VertexCache>, picture_replicates> caches_;
+    std::array<std::size_t, picture_replicates> used_{}; ///< pixels that used them
     PictureSums sums_;
     bool interrupted_ = false;
 };

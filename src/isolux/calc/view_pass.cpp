@@ -19,8 +19,6 @@ constexpr double least_chance = 0.05;
 /// A mirrored surface that makes up this much of the picture has all luminaires looked at.
 constexpr double strongly_mirrored = 0.3;
 
-constexpr SeenEffort effort_of_a_sample{4, 1, 4};
-
 /// Numbers of surfaces beside the primary one: below any pixel's.
 constexpr std::uint64_t further_surface = 1ULL << 40U;
 
@@ -47,6 +45,12 @@ struct SharedLight {
     }
 };
 
+/// No room for another block of passes.
+bool is_full(std::uint16_t passes) noexcept {
+    constexpr std::uint32_t most = 65535;
+    return passes / picture_replicates * picture_replicates + picture_replicates > most;
+}
+
 /// One ray through one pixel.
 class PixelSample {
 public:
@@ -62,7 +66,7 @@ public:
         : setup_(setup), cache_(cache), pilot_(pilot), buffers_(buffers), sums_(sums),
           shared_(shared), column_(column), row_(row),
           pixel_(row * setup.size.columns + column), replicate_(pass % picture_replicates),
-          unit_(pass / picture_replicates), is_a_(replicate_ % 2 == 0) {}
+          unit_(sums.passes[pixel_] / picture_replicates), is_a_(replicate_ % 2 == 0) {}
 
     void take() {
         thread_local EyePath path;
@@ -199,7 +203,8 @@ private:
             return surface.object[pixel_] == object
                    && dot(surface.normal.vector(pixel_), seen.normal) >= same_normal;
         };
-        if (is_on(g.first))
+        if (is_on(g.first)
+            && is_level(seen.normal, seen.at - (g.origin + g.position.vector(pixel_))))
             return Where::first;
         return is_on(g.second) ? Where::second : Where::elsewhere;
     }
@@ -235,6 +240,7 @@ private:
         std::array<SightSegment, packet_size> sights;
         std::array<float, packet_size> passed{};
         std::uint32_t wanted = 0;
+        arrived_ = {};
         for (std::size_t k = 0; k < looks.size(); ++k) {
             visible[k] = looks[k].expected;
             const auto words = stream.words(pixel_, looks[k].block);
@@ -255,10 +261,13 @@ private:
                                             std::span(passed).first(looks.size()));
         rays_ += static_cast<std::uint64_t>(std::popcount(wanted));
         for (std::size_t k = 0; k < looks.size(); ++k) {
+            if ((wanted >> k & 1U) == 0)
+                continue;
+            const double weight = setup_.light.weight(aims[k]) / looks[k].chance;
+            arrived_[k] = static_cast<double>(passed[k]) * weight;
             const double surprise = static_cast<double>(passed[k]) - looks[k].expected;
-            if ((wanted >> k & 1U) != 0 && surprise != 0.0)
-                visible[k] += surprise * setup_.light.weight(aims[k])
-                              / (looks[k].unshadowed * looks[k].chance);
+            if (surprise != 0.0)
+                visible[k] += surprise * weight / looks[k].unshadowed;
         }
         return visible;
     }
@@ -280,6 +289,12 @@ private:
         return std::clamp(std::round(n - occluded) / n, 0.0, 1.0);
     }
 
+    /// The pilot's place does not stand for all that the pixel shows of its surfaces.
+    [[nodiscard]] bool is_wide_footprint() const noexcept {
+        return !setup_.settings.is_preview
+               && (setup_.camera.has_lens() || buffers_.geometry.coverage[pixel_] < 1.0F);
+    }
+
     [[nodiscard]] static double chance_of(double e, double total) noexcept {
         return std::clamp(e / (always_looked_at * total), least_chance, 1.0);
     }
@@ -296,6 +311,7 @@ private:
         double total = 0.0;
         for (std::size_t k = 0; k < visible_.size(); ++k)
             total += unshadowed(k);
+        const bool is_wide = is_wide_footprint();
         std::array<Look, packet_size> looks;
         std::array<std::size_t, packet_size> layer_of{};
         std::size_t count = 0;
@@ -306,7 +322,7 @@ private:
             layer_of[count] = k;
             looks[count++] = {setup_.single[k],
                               e,
-                              chance_of(e, total),
+                              is_wide ? 1.0 : chance_of(e, total),
                               where == Where::first ? expected_of(buffers_.lights[k]) : 1.0,
                               static_cast<std::uint32_t>(k)};
         }
@@ -325,7 +341,8 @@ private:
         for (std::size_t i = 0; i < own; ++i) {
             const std::size_t k = layer_of[i];
             visible_[k] = found[i];
-            sum += (unshadowed(k) * found[i]) * buffers_.lights[k].colour;
+            sum +=
+                (is_wide ? arrived_[i] : unshadowed(k) * found[i]) * buffers_.lights[k].colour;
         }
         if (count > own)
             faint = (of_faint * found[own]) * setup_.emission.colour(looks[own].luminaire);
@@ -439,6 +456,7 @@ private:
     std::uint32_t replicate_, unit_;
     bool is_a_;
     std::vector<double> visible_;
+    std::array<double, packet_size> arrived_{}; ///< lx of each look, nothing expected
     std::uint64_t rays_ = 0;
 };
 
@@ -446,6 +464,8 @@ private:
 
 void add_samples(const ViewSetup& setup,
                  std::uint32_t pass,
+                 const SamplePlan& plan,
+                 std::size_t block,
                  std::span<const VertexCache> caches,
                  std::size_t first_column,
                  std::size_t first_row,
@@ -455,10 +475,13 @@ void add_samples(const ViewSetup& setup,
     const std::size_t a = setup.slices_a_side;
     const std::size_t end_row = std::min(setup.size.rows, first_row + tile_side);
     const std::size_t end_column = std::min(setup.size.columns, first_column + tile_side);
+    const std::size_t turn = 37U * std::size_t{pass} + pass / picture_replicates;
     const auto sample = [&](std::size_t column, std::size_t row, SharedLight* shared) {
+        const std::size_t pixel = row * setup.size.columns + column;
+        if (!plan.takes(pixel, block) || is_full(sums.passes[pixel]))
+            return;
         // Neighbours have different slices, and every pixel another one in every pass.
-        const std::size_t slice =
-            (column % a + a * (row % a) + 37U * std::size_t{pass}) % (a * a);
+        const std::size_t slice = (column % a + a * (row % a) + turn) % (a * a);
         PixelSample(setup, pass, caches[slice], pilot, buffers, sums, shared, column, row)
             .take();
     };

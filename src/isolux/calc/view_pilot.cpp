@@ -34,6 +34,7 @@ struct PilotSample {
 struct Cluster {
     std::uint32_t object = 0;
     UnitVector3 first_normal;
+    Point3 first_place;
     std::size_t count = 0;
     Vector3 normal;
     Vector3 position;
@@ -64,6 +65,7 @@ public:
                 continue;
             follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
             const SeenSurface* seen = primary_of(path);
+            has_more_ = has_more_ || path.surfaces.size() > (seen != nullptr ? 1U : 0U);
             if (seen == nullptr || used_ == samples_.size())
                 continue;
             PilotSample& sample = samples_[used_++];
@@ -142,6 +144,19 @@ public:
         pilot.faint[pixel_] = faint;
     }
 
+    /// What the plan of samples has to know.
+    void write_plan(PilotPlanes& pilot) const {
+        pilot.has_more[pixel_] = has_more_ ? 1 : 0;
+        constexpr double inverse_pi = 0.318309886183790671538;
+        double reflected = 0.0;
+        for (std::size_t s = 0; s < used_; ++s)
+            if (samples_[s].cluster == first_)
+                reflected +=
+                    samples_[s].seen.throughput * luminance_sum(samples_[s].seen.diffuse);
+        pilot.reflected[pixel_] =
+            static_cast<float>(inverse_pi * reflected / static_cast<double>(asked_));
+    }
+
     void write_distances(IndirectLayer& indirect) {
         if (clusters_used_ == 0)
             return;
@@ -198,9 +213,10 @@ private:
     std::size_t join(const PilotSample& s) {
         for (std::size_t c = 0; c < clusters_used_; ++c)
             if (clusters_[c].object == s.object
-                && dot(clusters_[c].first_normal, s.seen.normal) >= same_normal)
+                && dot(clusters_[c].first_normal, s.seen.normal) >= same_normal
+                && is_level(s.seen.normal, s.seen.at - clusters_[c].first_place))
                 return add(c, s);
-        clusters_[clusters_used_] = {s.object, s.seen.normal, 0, {}, {}, 0.0};
+        clusters_[clusters_used_] = {s.object, s.seen.normal, s.seen.at, 0, {}, {}, 0.0};
         return add(clusters_used_++, s);
     }
 
@@ -362,6 +378,7 @@ private:
     std::array<Cluster, most_samples> clusters_;
     std::size_t used_ = 0;
     std::size_t asked_ = 0;
+    bool has_more_ = false;
     std::size_t clusters_used_ = 0;
     std::size_t first_ = most_samples;
     std::size_t second_ = most_samples;
@@ -381,6 +398,7 @@ void run_pilot(const ViewSetup& setup,
             p.look();
             p.write_geometry(buffers);
             p.write_lights(buffers, pilot);
+            p.write_plan(pilot);
             if (p.is_probed())
                 p.write_distances(buffers.indirect);
             pilot.is_near_edge[row * setup.size.columns + column] = p.is_near_edge() ? 1 : 0;
