@@ -247,6 +247,23 @@ TEST(UnevenSamples, BiasNoPictureAndKeepItsErrorsHonest) {
     EXPECT_NEAR(squares / promised, 1.0, 0.15);
 }
 
+TEST(RenderedPreview, IsAsBrightAsThePicture) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 40, 24);
+    const double truth =
+        mean_of(render(scene, view, settings_of(128, PictureFilter::none, 99)));
+    for (const std::size_t samples : {2, 8}) {
+        const Estimate e = test::over_seeds([&](std::size_t s) {
+            RenderSettings settings = settings_of(samples, PictureFilter::axis_aligned, s + 1);
+            settings.is_preview = true;
+            return mean_of(render(scene, view, settings));
+        });
+        // Openings are points beyond twice their size, which is worth a percent.
+        EXPECT_NEAR(e.mean, truth, test::z_limit * e.standard_error + 0.015 * truth);
+        EXPECT_LT(e.standard_error, 0.005 * truth);
+    }
+}
+
 TEST(UnevenSamples, MeetATolerance) {
     const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 24, 16);
     RenderSettings s = settings_of(4096, PictureFilter::axis_aligned);

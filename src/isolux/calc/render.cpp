@@ -15,6 +15,7 @@ namespace isolux {
 namespace {
 
 constexpr std::size_t most_samples = 65535;
+constexpr std::size_t grain = 4096;          ///< pixels
 constexpr double least_planned = 8.0;        ///< below, all pixels get the same
 constexpr double samples_of_a_cycle = 16.0;  ///< a pixel, on average
 constexpr std::size_t tile_rows_at_once = 4; ///< between looks at the clock
@@ -231,10 +232,10 @@ private:
         picture.error = error_of_raw();
         picture.standard_error.resize(n);
         picture.samples.resize(n);
-        for (std::size_t i = 0; i < n; ++i) {
+        for_each_index(n, grain, [&](std::size_t i) {
             picture.standard_error[i] = static_cast<float>(standard_error(i));
             picture.samples[i] = static_cast<float>(sums_.passes[i]);
-        }
+        });
         divide_buffers();
         divide_sums();
         picture.raw = std::move(sums_.raw);
@@ -267,7 +268,7 @@ private:
             p.z[i] *= s;
         };
         const auto over = [](float count) { return count > 0.0F ? 1.0F / count : 0.0F; };
-        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
+        for_each_index(setup_.size.pixels(), grain, [&](std::size_t i) {
             const std::size_t passes = sums_.passes[i];
             const auto of_a = static_cast<float>(samples_of(0, passes) + samples_of(2, passes));
             const auto of_b = static_cast<float>(samples_of(1, passes) + samples_of(3, passes));
@@ -285,11 +286,11 @@ private:
                 layer.visible_b[i] =
                     g.samples_b[i] > 0.0F ? layer.visible_b[i] / g.samples_b[i] : 1.0F;
             }
-        }
+        });
     }
 
     void divide_sums() {
-        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
+        for_each_index(setup_.size.pixels(), grain, [&](std::size_t i) {
             const float inverse =
                 1.0F / static_cast<float>(std::max<std::uint16_t>(1, sums_.passes[i]));
             for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo}) {
@@ -300,7 +301,7 @@ private:
             const PixelGeometry& g = buffers_.geometry;
             const float on_surface = g.samples_a[i] + g.samples_b[i];
             sums_.illuminance[i] = on_surface > 0.0F ? sums_.illuminance[i] / on_surface : 0.0F;
-        }
+        });
     }
 
     /// What is left of the whole without the other parts.

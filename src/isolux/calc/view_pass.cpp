@@ -14,6 +14,11 @@ namespace {
 /// Luminaires above this share of a surface's direct light are looked at every time, others in
 /// proportion, METHODS eq. (89).
 constexpr double always_looked_at = 0.04;
+
+/// In previews no luminaire is looked at more often than this; the pixels of a block take
+/// turns.
+constexpr double always_looked_at_in_preview = 0.08;
+constexpr double largest_chance_in_preview = 0.5;
 constexpr double least_chance = 0.05;
 
 /// A mirrored surface that makes up this much of the picture has all luminaires looked at.
@@ -65,7 +70,11 @@ public:
                 std::size_t row)
         : setup_(setup), cache_(cache), pilot_(pilot), buffers_(buffers), sums_(sums),
           shared_(shared), column_(column), row_(row),
-          pixel_(row * setup.size.columns + column), replicate_(pass % picture_replicates),
+          pixel_(row * setup.size.columns + column),
+          probed_(setup.settings.is_preview ? (row & ~std::size_t{1}) * setup.size.columns
+                                                  + (column & ~std::size_t{1})
+                                            : pixel_),
+          replicate_(pass % picture_replicates),
           unit_(sums.passes[pixel_] / picture_replicates), is_a_(replicate_ % 2 == 0) {}
 
     void take() {
@@ -162,7 +171,7 @@ private:
         // Through a lens a pixel sees far more of the surface than the pilot's place.
         const bool is_near_edge =
             where == Where::first && !setup_.camera.has_lens()
-                ? pilot_.is_near_edge[pixel_] != 0
+                ? pilot_.is_near_edge[probed_] != 0
                 : setup_.estimator.choose(seen, setup_.edge) == ReflectedBy::path_tracing;
         const Rgb e = reflected(
             seen, is_near_edge ? ReflectedBy::path_tracing : ReflectedBy::mis, pixel_);
@@ -216,7 +225,8 @@ private:
                                           by,
                                           cache_,
                                           setup_.counts,
-                                          effort_of_a_sample,
+                                          setup_.settings.is_preview ? effort_of_a_preview
+                                                                     : effort_of_a_sample,
                                           {setup_.settings.seed, replicate_, unit_, place},
                                           rays_);
     }
@@ -243,9 +253,9 @@ private:
         arrived_ = {};
         for (std::size_t k = 0; k < looks.size(); ++k) {
             visible[k] = looks[k].expected;
-            const auto words = stream.words(pixel_, looks[k].block);
-            if (looks[k].chance < 1.0 && sobol_owen(unit_, 2, words[2]) >= looks[k].chance)
+            if (is_left_out(stream, looks[k]))
                 continue;
+            const auto words = stream.words(pixel_, looks[k].block);
             aims[k] = setup_.light.aim(looks[k].luminaire,
                                        seen.at,
                                        seen.normal,
@@ -272,13 +282,22 @@ private:
         return visible;
     }
 
+    /// By chance; in previews a block draws one number, and its pixels take it a quarter apart.
+    [[nodiscard]] bool is_left_out(const RandomStream& stream, const Look& look) const {
+        if (look.chance >= 1.0)
+            return false;
+        if (!setup_.settings.is_preview)
+            return sobol_owen(unit_, 2, stream.words(pixel_, look.block)[2]) >= look.chance;
+        const double corner =
+            0.25 * static_cast<double>((column_ & 1U) + 2U * ((row_ ^ column_) & 1U));
+        const std::uint64_t block = probed_ + (std::uint64_t{unit_} << 40U);
+        const double u = stream.uniform(block, look.block + 0x20000U) + corner;
+        return u - std::floor(u) >= look.chance;
+    }
+
     /// Share of the pilot's shadow rays that reached a luminaire of its own layer.
     [[nodiscard]] double expected_of(const LightLayer& layer) const noexcept {
-        // Previews probe every fourth pixel: the neighbour's finding steers as well.
-        const std::size_t at =
-            setup_.settings.is_preview
-                ? (row_ & ~std::size_t{1}) * setup_.size.columns + (column_ & ~std::size_t{1})
-                : pixel_;
+        const std::size_t at = probed_;
         if (layer.slope_min[at] < 0.0F)
             return 1.0;
         const double n =
@@ -295,8 +314,12 @@ private:
                && (setup_.camera.has_lens() || buffers_.geometry.coverage[pixel_] < 1.0F);
     }
 
-    [[nodiscard]] static double chance_of(double e, double total) noexcept {
-        return std::clamp(e / (always_looked_at * total), least_chance, 1.0);
+    [[nodiscard]] double chance_of(double e, double total) const noexcept {
+        return setup_.settings.is_preview
+                   ? std::clamp(e / (always_looked_at_in_preview * total),
+                                least_chance,
+                                largest_chance_in_preview)
+                   : std::clamp(e / (always_looked_at * total), least_chance, 1.0);
     }
 
     /// Direct light on one of the pixel's two surfaces; keeps what is visible of each layer.
@@ -453,6 +476,8 @@ private:
     PictureSums& sums_;
     SharedLight* shared_;
     std::size_t column_, row_, pixel_;
+    /// Previews probe every fourth pixel: the neighbour's finding steers as well.
+    std::size_t probed_;
     std::uint32_t replicate_, unit_;
     bool is_a_;
     std::vector<double> visible_;

@@ -185,7 +185,7 @@ public:
     }
 
     [[nodiscard]] bool is_near_edge() const noexcept {
-        if (clusters_used_ == 0)
+        if (clusters_used_ == 0 || !is_probed())
             return false;
         const Place p = first_place();
         return setup_.scene.caster.find_nearest_surfaces(p.at, setup_.edge).second

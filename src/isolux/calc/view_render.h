@@ -21,6 +21,7 @@ inline constexpr std::size_t tile_side = 16;
 
 /// Work at a surface that a ray shows.
 inline constexpr SeenEffort effort_of_a_sample{4, 1, 4};
+inline constexpr SeenEffort effort_of_a_preview{4, 1, 2};
 
 /// Pilot rays a pixel; previews make do with fewer.
 [[nodiscard]] inline std::size_t pilot_sight_lines(const RenderSettings& settings) noexcept {
