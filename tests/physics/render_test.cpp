@@ -168,6 +168,40 @@ TEST(RenderedPicture, AgreesWithTheLuminanceOfItsSightLines) {
     EXPECT_LT(e.standard_error, 0.01 * mean);
 }
 
+TEST(RenderedPicture, SharesALayerAmongManyLuminaires) {
+    // More luminaires than layers, and pixels as large as the box: most show two surfaces.
+    Builder b;
+    b.add_quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, b.add_diffuse(0.4));
+    b.add_quad({-0.4, -0.3, 0.5}, {0.8, 0, 0}, {0, 0.6, 0}, b.add_diffuse(0.2));
+    const auto type = b.add_isotropic_type(500.0);
+    for (int i = 0; i < 20; ++i)
+        b.add_point({-1.5 + i % 5 * 0.75, -1.5 + i / 5 * 0.9, 2.0 + 0.05 * i}, type);
+    const Scene scene = b.build();
+    const View view = view_of({1.5, -1.2, 1.8}, {0, 0, 0.3}, 40.0, 7, 5);
+    RenderSettings settings = settings_of(64, PictureFilter::none);
+    settings.direct_only = true;
+    std::vector<SightLine> lines;
+    const CameraRays rays(view.camera);
+    constexpr int per_side = 16;
+    for (std::size_t i = 0; i < 35; ++i)
+        for (int k = 0; k < per_side * per_side; ++k)
+            lines.push_back(
+                *rays.sight_line(static_cast<double>(i % 7) + (k % per_side + 0.5) / per_side,
+                                 static_cast<double>(i / 7) + (k / per_side + 0.5) / per_side));
+    Settings exact_settings;
+    exact_settings.fixed_units = 1;
+    exact_settings.direct_only = true;
+    double exact = 0.0;
+    for (const LuminanceResult& r : estimate_luminances(scene, lines, exact_settings).rays)
+        exact += r.total.mean / static_cast<double>(lines.size());
+    const Estimate e = test::over_seeds([&](std::size_t s) {
+        settings.seed = s + 1;
+        return mean_of(render(scene, view, settings));
+    });
+    EXPECT_NEAR(e.mean, exact, test::z_limit * e.standard_error + 5e-3 * exact);
+    EXPECT_LT(e.standard_error, 0.005 * exact);
+}
+
 TEST(RenderedPicture, IsTheSumOfItsParts) {
     const ViewPicture p = render(corner(),
                                  view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 24, 16),
