@@ -32,17 +32,12 @@ public:
               const Control& control)
         : view_(view), settings_(settings), control_(control),
           denoiser_(load_denoiser(settings)), setup_(scene, view, settings_),
-          buffers_(make_view_buffers(setup_)) {
+          buffers_(make_view_buffers(setup_)), sums_(setup_.size.pixels()) {
         const std::size_t n = setup_.size.pixels();
         pilot_.is_near_edge.assign(n, 0);
         pilot_.faint.assign(n, 0);
         pilot_.has_more.assign(n, 0);
         pilot_.reflected.assign(n, 0.0F);
-        for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo})
-            p->assign(n, 0.0F);
-        sums_.illuminance.assign(n, 0.0F);
-        sums_.replicate.assign(picture_replicates, Plane(n, 0.0F));
-        sums_.passes.assign(n, 0);
         for (LightLayer& layer : buffers_.lights) {
             layer.visible_a.assign(n, 0.0F);
             layer.visible_b.assign(n, 0.0F);
@@ -62,7 +57,7 @@ public:
             if (settings_.tolerance && (pass + 1) % picture_replicates == 0
                 && taken_ >= static_cast<double>(next_check * setup_.size.pixels())) {
                 next_check *= 2;
-                if (error_of_raw() <= *settings_.tolerance)
+                if (sums_.error() <= *settings_.tolerance)
                     break;
             }
         }
@@ -171,79 +166,26 @@ private:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    /// Samples of one replicate through a pixel after `passes` passes.
-    static std::size_t samples_of(std::size_t replicate, std::size_t passes) noexcept {
-        return passes > replicate ? (passes - replicate - 1) / picture_replicates + 1 : 0;
-    }
-
-    /// METHODS eq. (90).
-    [[nodiscard]] double standard_error(std::size_t pixel) const noexcept {
-        const std::size_t passes = sums_.passes[pixel];
-        if (passes < 2)
-            return 0.0;
-        double total = 0.0;
-        for (const Plane& p : sums_.replicate)
-            total += static_cast<double>(p[pixel]);
-        const double mean = total / static_cast<double>(passes);
-        double spread = 0.0;
-        std::size_t groups = 0;
-        for (std::size_t r = 0; r < picture_replicates; ++r) {
-            const double n = static_cast<double>(samples_of(r, passes));
-            if (n == 0.0)
-                continue;
-            ++groups;
-            const double d = static_cast<double>(sums_.replicate[r][pixel]) / n - mean;
-            spread += n * d * d;
-        }
-        return std::sqrt(spread / static_cast<double>(groups - 1)
-                         / static_cast<double>(passes));
-    }
-
-    /// METHODS eq. (91).
-    [[nodiscard]] double error_of_raw() const {
-        const std::size_t n = setup_.size.pixels();
-        double mean = 0.0;
-        for (std::size_t i = 0; i < n; ++i)
-            mean += mean_y(i) / static_cast<double>(n);
-        if (!(mean > 0.0))
-            return 0.0;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const double e = standard_error(i);
-            const double y = mean_y(i);
-            sum += e * e / (y * y + 0.01 * mean * mean);
-        }
-        return std::sqrt(sum / static_cast<double>(n));
-    }
-
-    [[nodiscard]] double mean_y(std::size_t pixel) const noexcept {
-        double total = 0.0;
-        for (const Plane& p : sums_.replicate)
-            total += static_cast<double>(p[pixel]);
-        return total / std::max<double>(1.0, sums_.passes[pixel]);
-    }
-
     /// Sums become means, in the buffers and in the picture.
     ViewPicture finish() {
         const std::size_t n = setup_.size.pixels();
         ViewPicture picture;
         picture.view = view_.name;
         picture.size = setup_.size;
-        picture.error = error_of_raw();
+        picture.error = sums_.error();
         picture.standard_error.resize(n);
         picture.samples.resize(n);
         for_each_index(n, grain, [&](std::size_t i) {
-            picture.standard_error[i] = static_cast<float>(standard_error(i));
+            picture.standard_error[i] = static_cast<float>(sums_.standard_error(i));
             picture.samples[i] = static_cast<float>(sums_.passes[i]);
         });
-        divide_buffers();
-        divide_sums();
+        sums_.divide(buffers_);
         picture.raw = std::move(sums_.raw);
         picture.direct = std::move(sums_.direct);
         picture.emission = std::move(sums_.emission);
         picture.albedo = std::move(sums_.albedo);
         picture.illuminance = std::move(sums_.illuminance);
-        picture.indirect = subtract_parts(picture);
+        picture.indirect = subtract(picture.raw, picture.direct, picture.emission);
         picture.bytes_a_pixel = bytes_held();
         sums_.replicate.clear();
         picture.is_preview = settings_.is_preview;
@@ -258,60 +200,6 @@ private:
         picture.wall_seconds = seconds();
         picture.cpu_seconds = cpu_seconds() - cpu_start_;
         return picture;
-    }
-
-    void divide_buffers() {
-        PixelGeometry& g = buffers_.geometry;
-        const auto scale3 = [](Planes3& p, std::size_t i, float s) {
-            p.x[i] *= s;
-            p.y[i] *= s;
-            p.z[i] *= s;
-        };
-        const auto over = [](float count) { return count > 0.0F ? 1.0F / count : 0.0F; };
-        for_each_index(setup_.size.pixels(), grain, [&](std::size_t i) {
-            const std::size_t passes = sums_.passes[i];
-            const auto of_a = static_cast<float>(samples_of(0, passes) + samples_of(2, passes));
-            const auto of_b = static_cast<float>(samples_of(1, passes) + samples_of(3, passes));
-            for (PixelSurface* s : {&g.first, &g.second}) {
-                scale3(s->reflected_a, i, over(of_a));
-                scale3(s->reflected_b, i, over(of_b));
-            }
-            scale3(buffers_.remainder_a, i, over(of_a));
-            scale3(buffers_.remainder_b, i, over(of_b));
-            scale3(buffers_.indirect.a, i, over(g.samples_a[i]));
-            scale3(buffers_.indirect.b, i, over(g.samples_b[i]));
-            for (LightLayer& layer : buffers_.lights) {
-                layer.visible_a[i] =
-                    g.samples_a[i] > 0.0F ? layer.visible_a[i] / g.samples_a[i] : 1.0F;
-                layer.visible_b[i] =
-                    g.samples_b[i] > 0.0F ? layer.visible_b[i] / g.samples_b[i] : 1.0F;
-            }
-        });
-    }
-
-    void divide_sums() {
-        for_each_index(setup_.size.pixels(), grain, [&](std::size_t i) {
-            const float inverse =
-                1.0F / static_cast<float>(std::max<std::uint16_t>(1, sums_.passes[i]));
-            for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo}) {
-                p->x[i] *= inverse;
-                p->y[i] *= inverse;
-                p->z[i] *= inverse;
-            }
-            const PixelGeometry& g = buffers_.geometry;
-            const float on_surface = g.samples_a[i] + g.samples_b[i];
-            sums_.illuminance[i] = on_surface > 0.0F ? sums_.illuminance[i] / on_surface : 0.0F;
-        });
-    }
-
-    /// What is left of the whole without the other parts.
-    static Planes3 subtract_parts(const ViewPicture& p) {
-        Planes3 rest = p.raw;
-        for (auto plane : {&Planes3::x, &Planes3::y, &Planes3::z})
-            for (std::size_t i = 0; i < (rest.*plane).size(); ++i)
-                (rest.*plane)[i] = std::max(
-                    0.0F, (rest.*plane)[i] - (p.direct.*plane)[i] - (p.emission.*plane)[i]);
-        return rest;
     }
 
     void filter_along_surfaces(ViewPicture& picture) {

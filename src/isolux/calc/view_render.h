@@ -5,16 +5,13 @@
 #include <vector>
 
 #include "isolux/calc/render.h"
+#include "isolux/calc/view_sums.h"
 #include "isolux/transport/double_local_estimator.h"
 #include "isolux/transport/mirrored_light.h"
 #include "isolux/transport/seen_light.h"
 
 /// The parts of the renderer: what they share, the pilot, one pass over the picture.
 namespace isolux {
-
-/// Independent replicates of a picture; pass k belongs to replicate k mod 4. Even ones make
-/// half A, odd ones half B.
-inline constexpr std::uint32_t picture_replicates = 4;
 
 /// Pixels of a side of the tiles that are worked on at a time.
 inline constexpr std::size_t tile_side = 16;
@@ -79,14 +76,6 @@ struct SamplePlan {
     [[nodiscard]] bool takes(std::size_t pixel, std::size_t block) const noexcept {
         return blocks.empty() || block < blocks[pixel];
     }
-};
-
-/// Sums over the samples of a picture; divided by their number at the end.
-struct PictureSums {
-    Planes3 raw, direct, emission, albedo;
-    Plane illuminance;                 ///< lx, of samples on the majority surface
-    std::vector<Plane> replicate;      ///< Y of each replicate
-    std::vector<std::uint16_t> passes; ///< through the pixel so far
 };
 
 /// The pilot of the pixels in rows [first_row, end_row): surfaces, geometry, unshadowed light,
