@@ -37,6 +37,7 @@ public:
         pilot_.is_near_edge.assign(n, 0);
         pilot_.faint.assign(n, 0);
         pilot_.has_more.assign(n, 0);
+        pilot_.has_luminaire.assign(n, 0);
         pilot_.reflected.assign(n, 0.0F);
         for (LightLayer& layer : buffers_.lights) {
             layer.visible_a.assign(n, 0.0F);
@@ -100,6 +101,7 @@ private:
                 cycles * static_cast<double>(plan_.active.size() * picture_replicates));
         }
         pilot_.has_more = {};
+        pilot_.has_luminaire = {};
         pilot_.reflected = {};
     }
 
@@ -262,7 +264,7 @@ private:
         constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
         return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
                + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1 + sizeof(float)
-               + 2; // the plan of samples
+               + 3; // the plan of samples
     }
 
     const View& view_;

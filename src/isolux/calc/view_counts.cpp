@@ -39,21 +39,42 @@ public:
         add_reflected(filter);
         pretend_samples(0.0F);
         to_luminance();
+        add_luminaires();
         // The few tries of reflected light know little of rare bright samples: counts stay
         // within half and twice the mean.
         const double spread = is_direct_only() ? direct_spread : reflected_spread;
         const double step = picture_replicates;
         const double least = step * std::max(1.0, std::round(mean / spread / step));
         const double most = step * std::round(mean * spread / step);
-        return to_blocks(counts_for_budget(need_,
-                                           illuminance_,
-                                           mean,
-                                           static_cast<std::uint16_t>(least),
-                                           static_cast<std::uint16_t>(most),
-                                           picture_replicates));
+        const auto counts = [&](double budget) {
+            std::vector<std::uint16_t> n = counts_for_budget(need_,
+                                                             illuminance_,
+                                                             budget,
+                                                             static_cast<std::uint16_t>(least),
+                                                             static_cast<std::uint16_t>(most),
+                                                             picture_replicates);
+            // Nor do they know how little the filter leaves of it, and nothing of what edges
+            // need: these get the mean at least.
+            const auto of_edge = static_cast<std::uint16_t>(step * std::round(mean / step));
+            if (!is_direct_only())
+                for (std::size_t i = 0; i < n.size(); ++i)
+                    if (need_.edge[i])
+                        n[i] = std::max(n[i], of_edge);
+            return n;
+        };
+        // What edges get beyond the budget is taken from all.
+        const double over = std::max(0.0, mean_of(counts(mean)) - mean);
+        return to_blocks(counts(std::max(least, mean - over)));
     }
 
 private:
+    static double mean_of(const std::vector<std::uint16_t>& counts) {
+        double sum = 0.0;
+        for (const std::uint16_t n : counts)
+            sum += n;
+        return sum / static_cast<double>(counts.size());
+    }
+
     /// The filter's sites are pixels with samples in both halves: all that show a surface.
     void pretend_samples(float count) {
         PixelGeometry& g = buffers_.geometry;
@@ -172,6 +193,39 @@ private:
             if (pilot_.has_more[i] != 0)
                 need_.edge[i] = true;
         }
+    }
+
+    /// Next to a luminaire a sample is as wrong as the pixel is bright.
+    void add_luminaires() {
+        double mean = 0.0;
+        for (const float v : illuminance_)
+            mean += static_cast<double>(v) / static_cast<double>(illuminance_.size());
+        const auto dark = static_cast<float>(0.1 * mean);
+        for (std::size_t i = 0; i < illuminance_.size(); ++i) {
+            if (!is_at_rim(i))
+                continue;
+            const float v = illuminance_[i];
+            need_.edge[i] = true;
+            need_.settled[i] = false;
+            need_.variance[i] = std::max(need_.variance[i], v * v + dark * dark);
+        }
+    }
+
+    /// Its neighbours show more or less of luminaires than it does; the surfaces behind may be
+    /// one.
+    [[nodiscard]] bool is_at_rim(std::size_t pixel) const noexcept {
+        const std::size_t x = pixel % setup_.size.columns;
+        const std::size_t y = pixel / setup_.size.columns;
+        for (std::size_t v = y - std::min<std::size_t>(y, 1);
+             v < std::min(setup_.size.rows, y + 2);
+             ++v)
+            for (std::size_t u = x - std::min<std::size_t>(x, 1);
+                 u < std::min(setup_.size.columns, x + 2);
+                 ++u)
+                if (pilot_.has_luminaire[v * setup_.size.columns + u]
+                    != pilot_.has_luminaire[pixel])
+                    return true;
+        return false;
     }
 
     [[nodiscard]] SamplePlan to_blocks(const std::vector<std::uint16_t>& counts) const {

@@ -22,6 +22,7 @@ void PilotLook::look() {
             continue;
         follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
         const SeenSurface* seen = primary_of(path);
+        on_luminaire_ += luminance_sum(path.luminaires) > 0.0 ? 1U : 0U;
         has_more_ = has_more_ || path.surfaces.size() > (seen != nullptr ? 1U : 0U);
         if (seen == nullptr || used_ == samples_.size())
             continue;
@@ -142,6 +143,7 @@ void PilotLook::write_geometry(PixelBuffers& buffers) const {
 
 void PilotLook::write_plan(PilotPlanes& pilot) const {
     pilot.has_more[pixel_] = has_more_ ? 1 : 0;
+    pilot.has_luminaire[pixel_] = on_luminaire_;
     constexpr double inverse_pi = 0.318309886183790671538;
     double reflected = 0.0;
     for (const SeenSurface& seen : on_first())

@@ -94,6 +94,7 @@ private:
     std::size_t first_ = most_pilot_samples;
     std::size_t second_ = most_pilot_samples;
     bool has_more_ = false;
+    std::uint8_t on_luminaire_ = 0;
 };
 
 } // namespace isolux

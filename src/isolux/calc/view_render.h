@@ -63,8 +63,9 @@ struct PilotPlanes {
     /// Luminaires whose light is too faint to be worth a shadow of its own: bit k stands for
     /// layer k on the first surface, bit 16 + k for the second.
     std::vector<std::uint32_t> faint;
-    std::vector<std::uint8_t> has_more; ///< a ray showed something behind, or in a mirror
-    Plane reflected;                    ///< rho/pi of the majority surface, 1/sr, as seen
+    std::vector<std::uint8_t> has_more;      ///< a ray showed something behind, or in a mirror
+    std::vector<std::uint8_t> has_luminaire; ///< rays that showed a luminaire
+    Plane reflected;                         ///< rho/pi of the majority surface, 1/sr, as seen
 };
 
 /// How often each pixel is sampled, in blocks of picture_replicates passes that come again and
