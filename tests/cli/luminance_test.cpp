@@ -49,6 +49,16 @@ TEST_F(LuminanceVerb, PrintsJsonLines) {
         EXPECT_NE(ran.out.find("\"" + std::string(key) + "\":"), std::string::npos) << key;
 }
 
+TEST_F(LuminanceVerb, TellsEyesThatNoLightReaches) {
+    const std::string lines = "1.5 1 1 0 0 -1\n1.5 1 -2 1 0 0\n";
+    const Ran ran = look(lines);
+    EXPECT_EQ(ran.exit_code, 0);
+    EXPECT_TRUE(ran.err.starts_with(
+        "notice: stdin: 1 of 2 eyes outside every room (no light of a room gets there)"))
+        << ran.err;
+    EXPECT_EQ(look(lines, {"--quiet"}).err, "");
+}
+
 TEST_F(LuminanceVerb, NamesTheLineItCannotRead) {
     const Ran ran = look("1 1 1 0 0 1\n1 1 1 0 0\n1 1 1 0 0 0\n");
     EXPECT_EQ(ran.exit_code, 2);

@@ -1,6 +1,7 @@
 // Rendered pictures against closed answers: METHODS 7.2 row 20 (the furnace through mirrors and
 // panes), a wall, a luminaire, and the same bits for any number of threads (row 25).
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -167,6 +168,40 @@ TEST(RenderedPicture, AgreesWithTheLuminanceOfItsSightLines) {
     EXPECT_LT(e.standard_error, 0.01 * mean);
 }
 
+TEST(RenderedPicture, SharesALayerAmongManyLuminaires) {
+    // More luminaires than layers, and pixels as large as the box: most show two surfaces.
+    Builder b;
+    b.add_quad({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}, b.add_diffuse(0.4));
+    b.add_quad({-0.4, -0.3, 0.5}, {0.8, 0, 0}, {0, 0.6, 0}, b.add_diffuse(0.2));
+    const auto type = b.add_isotropic_type(500.0);
+    for (int i = 0; i < 20; ++i)
+        b.add_point({-1.5 + i % 5 * 0.75, -1.5 + i / 5 * 0.9, 2.0 + 0.05 * i}, type);
+    const Scene scene = b.build();
+    const View view = view_of({1.5, -1.2, 1.8}, {0, 0, 0.3}, 40.0, 7, 5);
+    RenderSettings settings = settings_of(64, PictureFilter::none);
+    settings.direct_only = true;
+    std::vector<SightLine> lines;
+    const CameraRays rays(view.camera);
+    constexpr int per_side = 16;
+    for (std::size_t i = 0; i < 35; ++i)
+        for (int k = 0; k < per_side * per_side; ++k)
+            lines.push_back(
+                *rays.sight_line(static_cast<double>(i % 7) + (k % per_side + 0.5) / per_side,
+                                 static_cast<double>(i / 7) + (k / per_side + 0.5) / per_side));
+    Settings exact_settings;
+    exact_settings.fixed_units = 1;
+    exact_settings.direct_only = true;
+    double exact = 0.0;
+    for (const LuminanceResult& r : estimate_luminances(scene, lines, exact_settings).rays)
+        exact += r.total.mean / static_cast<double>(lines.size());
+    const Estimate e = test::over_seeds([&](std::size_t s) {
+        settings.seed = s + 1;
+        return mean_of(render(scene, view, settings));
+    });
+    EXPECT_NEAR(e.mean, exact, test::z_limit * e.standard_error + 5e-3 * exact);
+    EXPECT_LT(e.standard_error, 0.005 * exact);
+}
+
 TEST(RenderedPicture, IsTheSumOfItsParts) {
     const ViewPicture p = render(corner(),
                                  view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 24, 16),
@@ -186,21 +221,91 @@ TEST(RenderedPicture, HasTheSameBitsForAnyNumberOfThreads) {
     const Scene scene = corner();
     View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 40, 24);
     view.camera.lens_radius = 0.02;
-    const auto with = [&](std::size_t threads) {
-        const ThreadLimit limit(threads);
-        return render(scene, view, settings_of(4, PictureFilter::axis_aligned));
-    };
-    const ViewPicture one = with(1);
-    ASSERT_FALSE(one.filtered.x.empty());
-    for (const std::size_t threads : {2, 7}) {
-        const ViewPicture other = with(threads);
-        EXPECT_EQ(one.raw.x, other.raw.x);
-        EXPECT_EQ(one.raw.z, other.raw.z);
-        EXPECT_EQ(one.filtered.y, other.filtered.y);
-        EXPECT_EQ(one.standard_error, other.standard_error);
-        EXPECT_EQ(one.filter_width, other.filter_width);
-        EXPECT_EQ(one.depth, other.depth);
+    for (const std::size_t samples : {4, 16}) { // even and uneven counts
+        const auto with = [&](std::size_t threads) {
+            const ThreadLimit limit(threads);
+            return render(scene, view, settings_of(samples, PictureFilter::axis_aligned));
+        };
+        const ViewPicture one = with(1);
+        ASSERT_FALSE(one.filtered.x.empty());
+        for (const std::size_t threads : {2, 7}) {
+            const ViewPicture other = with(threads);
+            EXPECT_EQ(one.raw.x, other.raw.x);
+            EXPECT_EQ(one.raw.z, other.raw.z);
+            EXPECT_EQ(one.filtered.y, other.filtered.y);
+            EXPECT_EQ(one.standard_error, other.standard_error);
+            EXPECT_EQ(one.filter_width, other.filter_width);
+            EXPECT_EQ(one.depth, other.depth);
+            EXPECT_EQ(one.samples, other.samples);
+        }
     }
+}
+
+TEST(UnevenSamples, GoWhereThePilotSawNoiseAndKeepToTheirMean) {
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 64, 40);
+    const ViewPicture p = render(corner(), view, settings_of(16, PictureFilter::axis_aligned));
+    double mean = 0.0;
+    for (const float s : p.samples) {
+        EXPECT_EQ(std::fmod(s, 4.0F), 0.0F) << "every replicate as often";
+        EXPECT_GE(s, 8.0F);
+        EXPECT_LE(s, 32.0F);
+        mean += static_cast<double>(s) / static_cast<double>(p.size.pixels());
+    }
+    EXPECT_GT(mean, 14.0);
+    EXPECT_LE(mean, 16.0);
+    EXPECT_NE(*std::min_element(p.samples.begin(), p.samples.end()),
+              *std::max_element(p.samples.begin(), p.samples.end()));
+}
+
+TEST(UnevenSamples, BiasNoPictureAndKeepItsErrorsHonest) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 15.0, 16, 10);
+    const ViewPicture fine = render(scene, view, settings_of(1024, PictureFilter::none, 99));
+    double truth = 0.0;
+    for (std::size_t i = 0; i < fine.size.pixels(); ++i)
+        truth += luminance_sum(fine.raw.colour(i)) / static_cast<double>(fine.size.pixels());
+    double squares = 0.0;
+    double promised = 0.0;
+    const Estimate e = test::over_seeds([&](std::size_t s) {
+        const ViewPicture p =
+            render(scene, view, settings_of(16, PictureFilter::axis_aligned, s + 1));
+        for (std::size_t i = 0; i < p.size.pixels(); ++i) {
+            squares +=
+                std::pow(luminance_sum(p.raw.colour(i)) - luminance_sum(fine.raw.colour(i)), 2);
+            promised += std::pow(p.standard_error[i], 2);
+        }
+        return mean_of(p);
+    });
+    EXPECT_NEAR(e.mean, truth, test::z_limit * e.standard_error + 0.002 * truth);
+    EXPECT_LT(e.standard_error, 0.01 * truth);
+    EXPECT_NEAR(squares / promised, 1.0, 0.15);
+}
+
+TEST(RenderedPreview, IsAsBrightAsThePicture) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 40, 24);
+    const double truth =
+        mean_of(render(scene, view, settings_of(128, PictureFilter::none, 99)));
+    for (const std::size_t samples : {2, 8}) {
+        const Estimate e = test::over_seeds([&](std::size_t s) {
+            RenderSettings settings = settings_of(samples, PictureFilter::axis_aligned, s + 1);
+            settings.is_preview = true;
+            return mean_of(render(scene, view, settings));
+        });
+        // Openings are points beyond twice their size, which is worth a percent.
+        EXPECT_NEAR(e.mean, truth, test::z_limit * e.standard_error + 0.015 * truth);
+        EXPECT_LT(e.standard_error, 0.005 * truth);
+    }
+}
+
+TEST(UnevenSamples, MeetATolerance) {
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 24, 16);
+    RenderSettings s = settings_of(4096, PictureFilter::axis_aligned);
+    s.tolerance = 0.3;
+    const ViewPicture p = render(corner(), view, s);
+    EXPECT_LE(p.error, 0.3);
+    EXPECT_FALSE(p.interrupted);
+    EXPECT_LT(*std::max_element(p.samples.begin(), p.samples.end()), 4096.0F);
 }
 
 TEST(RenderedPicture, StopsAtItsToleranceOrWhenAsked) {

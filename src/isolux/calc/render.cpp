@@ -1,7 +1,7 @@
 #include "isolux/calc/render.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <ctime>
 
@@ -15,6 +15,9 @@ namespace isolux {
 namespace {
 
 constexpr std::size_t most_samples = 65535;
+constexpr std::size_t grain = 4096;          ///< pixels
+constexpr double least_planned = 8.0;        ///< below, all pixels get the same
+constexpr double samples_of_a_cycle = 16.0;  ///< a pixel, on average
 constexpr std::size_t tile_rows_at_once = 4; ///< between looks at the clock
 
 double cpu_seconds() {
@@ -29,15 +32,13 @@ public:
               const Control& control)
         : view_(view), settings_(settings), control_(control),
           denoiser_(load_denoiser(settings)), setup_(scene, view, settings_),
-          buffers_(make_view_buffers(setup_)) {
+          buffers_(make_view_buffers(setup_)), sums_(setup_.size.pixels()) {
         const std::size_t n = setup_.size.pixels();
         pilot_.is_near_edge.assign(n, 0);
         pilot_.faint.assign(n, 0);
-        for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo})
-            p->assign(n, 0.0F);
-        sums_.illuminance.assign(n, 0.0F);
-        sums_.replicate.assign(picture_replicates, Plane(n, 0.0F));
-        sums_.passes.assign(n, 0);
+        pilot_.has_more.assign(n, 0);
+        pilot_.has_luminaire.assign(n, 0);
+        pilot_.reflected.assign(n, 0.0F);
         for (LightLayer& layer : buffers_.lights) {
             layer.visible_a.assign(n, 0.0F);
             layer.visible_b.assign(n, 0.0F);
@@ -48,14 +49,16 @@ public:
         const std::size_t samples = std::clamp<std::size_t>(settings_.samples, 2, most_samples);
         if (!walk_pilot())
             return finish();
+        make_plan(static_cast<double>(samples));
         std::size_t next_check = 2 * picture_replicates;
-        for (std::uint32_t pass = 0; pass < samples; ++pass) {
-            if (!run_pass(pass, samples))
+        for (std::uint32_t pass = 0; pass < passes_; ++pass) {
+            if (!run_pass(pass))
                 break;
             // Complete sets of replicates only, at doublings.
-            if (settings_.tolerance && pass + 1 == next_check) {
+            if (settings_.tolerance && (pass + 1) % picture_replicates == 0
+                && taken_ >= static_cast<double>(next_check * setup_.size.pixels())) {
                 next_check *= 2;
-                if (error_of_raw() <= *settings_.tolerance)
+                if (sums_.error() <= *settings_.tolerance)
                     break;
             }
         }
@@ -82,35 +85,53 @@ private:
         return true;
     }
 
-    bool run_pass(std::uint32_t pass, std::size_t samples) {
+    /// Pictures that are filtered along surfaces, or wanted to a tolerance, get their samples
+    /// where they are needed.
+    void make_plan(double samples) {
+        passes_ = static_cast<std::uint32_t>(samples);
+        wanted_ = samples * static_cast<double>(setup_.size.pixels());
+        plan_.active = {setup_.size.pixels()};
+        const bool is_even = settings_.filter != PictureFilter::axis_aligned
+                             || settings_.is_preview || samples < least_planned;
+        if (!is_even) {
+            report("pilot", 0.0);
+            const double cycles = std::max(1.0, std::round(samples / samples_of_a_cycle));
+            plan_ = plan_samples(setup_, pilot_, buffers_, samples / cycles);
+            passes_ = static_cast<std::uint32_t>(
+                cycles * static_cast<double>(plan_.active.size() * picture_replicates));
+        }
+        pilot_.has_more = {};
+        pilot_.has_luminaire = {};
+        pilot_.reflected = {};
+    }
+
+    bool run_pass(std::uint32_t pass) {
         if (must_stop())
             return false;
-        const std::size_t slices = setup_.slices_a_side * setup_.slices_a_side;
         const std::uint32_t replicate = pass % picture_replicates;
-        const std::uint64_t unit = pass / picture_replicates;
-        const PathRandomness random(settings_.seed, replicate);
-        std::vector<VertexCache> caches(slices);
-        for_each_index(slices, 1, [&](std::size_t s) {
-            caches[s] = build_vertex_cache(setup_.scene,
-                                           setup_.emission,
-                                           random,
-                                           (unit * slices + s) * setup_.paths_a_slice,
-                                           setup_.paths_a_slice,
-                                           setup_.counts);
-        });
+        const std::size_t block = pass / picture_replicates % plan_.active.size();
+        std::vector<VertexCache>& caches = caches_[replicate];
+        // Few pixels go on with other slices of the paths they have.
+        constexpr std::size_t many = 4;
+        used_[replicate] += plan_.active[block];
+        if (caches.empty() || used_[replicate] * many >= setup_.size.pixels()) {
+            caches = build_caches(setup_, replicate, pass / picture_replicates);
+            used_[replicate] = 0;
+        }
         const std::size_t tile_columns = (setup_.size.columns + tile_side - 1) / tile_side;
         const std::size_t tile_rows = (setup_.size.rows + tile_side - 1) / tile_side;
         for (std::size_t first = 0; first < tile_rows; first += tile_rows_at_once) {
             if (must_stop())
                 return false;
+            const double share = static_cast<double>(first) / static_cast<double>(tile_rows);
             report("rendering",
-                   (static_cast<double>(pass)
-                    + static_cast<double>(first) / static_cast<double>(tile_rows))
-                       / static_cast<double>(samples));
+                   (taken_ + share * static_cast<double>(plan_.active[block])) / wanted_);
             const std::size_t end = std::min(tile_rows, first + tile_rows_at_once);
             for_each_index((end - first) * tile_columns, 1, [&](std::size_t t) {
                 add_samples(setup_,
                             pass,
+                            plan_,
+                            block,
                             caches,
                             t % tile_columns * tile_side,
                             (first + t / tile_columns) * tile_side,
@@ -119,6 +140,7 @@ private:
                             sums_);
             });
         }
+        taken_ += static_cast<double>(plan_.active[block]);
         return true;
     }
 
@@ -146,79 +168,26 @@ private:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
 
-    /// Samples of one replicate through a pixel after `passes` passes.
-    static std::size_t samples_of(std::size_t replicate, std::size_t passes) noexcept {
-        return passes > replicate ? (passes - replicate - 1) / picture_replicates + 1 : 0;
-    }
-
-    /// METHODS eq. (90).
-    [[nodiscard]] double standard_error(std::size_t pixel) const noexcept {
-        const std::size_t passes = sums_.passes[pixel];
-        if (passes < 2)
-            return 0.0;
-        double total = 0.0;
-        for (const Plane& p : sums_.replicate)
-            total += static_cast<double>(p[pixel]);
-        const double mean = total / static_cast<double>(passes);
-        double spread = 0.0;
-        std::size_t groups = 0;
-        for (std::size_t r = 0; r < picture_replicates; ++r) {
-            const double n = static_cast<double>(samples_of(r, passes));
-            if (n == 0.0)
-                continue;
-            ++groups;
-            const double d = static_cast<double>(sums_.replicate[r][pixel]) / n - mean;
-            spread += n * d * d;
-        }
-        return std::sqrt(spread / static_cast<double>(groups - 1)
-                         / static_cast<double>(passes));
-    }
-
-    /// METHODS eq. (91).
-    [[nodiscard]] double error_of_raw() const {
-        const std::size_t n = setup_.size.pixels();
-        double mean = 0.0;
-        for (std::size_t i = 0; i < n; ++i)
-            mean += mean_y(i) / static_cast<double>(n);
-        if (!(mean > 0.0))
-            return 0.0;
-        double sum = 0.0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const double e = standard_error(i);
-            const double y = mean_y(i);
-            sum += e * e / (y * y + 0.01 * mean * mean);
-        }
-        return std::sqrt(sum / static_cast<double>(n));
-    }
-
-    [[nodiscard]] double mean_y(std::size_t pixel) const noexcept {
-        double total = 0.0;
-        for (const Plane& p : sums_.replicate)
-            total += static_cast<double>(p[pixel]);
-        return total / std::max<double>(1.0, sums_.passes[pixel]);
-    }
-
     /// Sums become means, in the buffers and in the picture.
     ViewPicture finish() {
         const std::size_t n = setup_.size.pixels();
         ViewPicture picture;
         picture.view = view_.name;
         picture.size = setup_.size;
-        picture.error = error_of_raw();
+        picture.error = sums_.error();
         picture.standard_error.resize(n);
         picture.samples.resize(n);
-        for (std::size_t i = 0; i < n; ++i) {
-            picture.standard_error[i] = static_cast<float>(standard_error(i));
+        for_each_index(n, grain, [&](std::size_t i) {
+            picture.standard_error[i] = static_cast<float>(sums_.standard_error(i));
             picture.samples[i] = static_cast<float>(sums_.passes[i]);
-        }
-        divide_buffers();
-        divide_sums();
+        });
+        sums_.divide(buffers_);
         picture.raw = std::move(sums_.raw);
         picture.direct = std::move(sums_.direct);
         picture.emission = std::move(sums_.emission);
         picture.albedo = std::move(sums_.albedo);
         picture.illuminance = std::move(sums_.illuminance);
-        picture.indirect = subtract_parts(picture);
+        picture.indirect = subtract(picture.raw, picture.direct, picture.emission);
         picture.bytes_a_pixel = bytes_held();
         sums_.replicate.clear();
         picture.is_preview = settings_.is_preview;
@@ -233,60 +202,6 @@ private:
         picture.wall_seconds = seconds();
         picture.cpu_seconds = cpu_seconds() - cpu_start_;
         return picture;
-    }
-
-    void divide_buffers() {
-        PixelGeometry& g = buffers_.geometry;
-        const auto scale3 = [](Planes3& p, std::size_t i, float s) {
-            p.x[i] *= s;
-            p.y[i] *= s;
-            p.z[i] *= s;
-        };
-        const auto over = [](float count) { return count > 0.0F ? 1.0F / count : 0.0F; };
-        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
-            const std::size_t passes = sums_.passes[i];
-            const auto of_a = static_cast<float>(samples_of(0, passes) + samples_of(2, passes));
-            const auto of_b = static_cast<float>(samples_of(1, passes) + samples_of(3, passes));
-            for (PixelSurface* s : {&g.first, &g.second}) {
-                scale3(s->reflected_a, i, over(of_a));
-                scale3(s->reflected_b, i, over(of_b));
-            }
-            scale3(buffers_.remainder_a, i, over(of_a));
-            scale3(buffers_.remainder_b, i, over(of_b));
-            scale3(buffers_.indirect.a, i, over(g.samples_a[i]));
-            scale3(buffers_.indirect.b, i, over(g.samples_b[i]));
-            for (LightLayer& layer : buffers_.lights) {
-                layer.visible_a[i] =
-                    g.samples_a[i] > 0.0F ? layer.visible_a[i] / g.samples_a[i] : 1.0F;
-                layer.visible_b[i] =
-                    g.samples_b[i] > 0.0F ? layer.visible_b[i] / g.samples_b[i] : 1.0F;
-            }
-        }
-    }
-
-    void divide_sums() {
-        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
-            const float inverse =
-                1.0F / static_cast<float>(std::max<std::uint16_t>(1, sums_.passes[i]));
-            for (Planes3* p : {&sums_.raw, &sums_.direct, &sums_.emission, &sums_.albedo}) {
-                p->x[i] *= inverse;
-                p->y[i] *= inverse;
-                p->z[i] *= inverse;
-            }
-            const PixelGeometry& g = buffers_.geometry;
-            const float on_surface = g.samples_a[i] + g.samples_b[i];
-            sums_.illuminance[i] = on_surface > 0.0F ? sums_.illuminance[i] / on_surface : 0.0F;
-        }
-    }
-
-    /// What is left of the whole without the other parts.
-    static Planes3 subtract_parts(const ViewPicture& p) {
-        Planes3 rest = p.raw;
-        for (auto plane : {&Planes3::x, &Planes3::y, &Planes3::z})
-            for (std::size_t i = 0; i < (rest.*plane).size(); ++i)
-                (rest.*plane)[i] = std::max(
-                    0.0F, (rest.*plane)[i] - (p.direct.*plane)[i] - (p.emission.*plane)[i]);
-        return rest;
     }
 
     void filter_along_surfaces(ViewPicture& picture) {
@@ -348,7 +263,8 @@ private:
         constexpr std::size_t sums = 4 * 3 + 1 + picture_replicates; // floats
         constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
         return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
-               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1;
+               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1 + sizeof(float)
+               + 3; // the plan of samples
     }
 
     const View& view_;
@@ -360,6 +276,12 @@ private:
     ViewSetup setup_;
     PixelBuffers buffers_;
     PilotPlanes pilot_;
+    SamplePlan plan_;
+    std::uint32_t passes_ = 0;
+    double wanted_ = 0.0; ///< samples, of all pixels together
+    double taken_ = 0.0;
+    std::array<std::vector<VertexCache>, picture_replicates> caches_;
+    std::array<std::size_t, picture_replicates> used_{}; ///< pixels that used them
     PictureSums sums_;
     bool interrupted_ = false;
 };

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "isolux/base/parallel.h"
+#include "isolux/calc/view_look.h"
 #include "isolux/calc/view_render.h"
 #include "isolux/sampling/sobol.h"
 #include "isolux/sampling/warp.h"
@@ -11,8 +12,6 @@
 namespace isolux {
 
 namespace {
-
-constexpr std::size_t most_samples = 4; ///< of the pilot
 
 /// Luminaires that give less than this share of a pixel's direct light are faint there: their
 /// shadows are smoothed with the reflected light.
@@ -22,94 +21,30 @@ constexpr double least_share_of_preview = 0.05;
 /// Directions nearer to the surface than this cosine say nothing (METHODS eq. (95)).
 constexpr double most_grazing = 0.22;
 
-/// One pilot ray's surface.
-struct PilotSample {
-    SeenSurface seen;
-    std::uint32_t object = 0;
-    double depth_on_axis = 0.0;
-    std::size_t cluster = 0;
-};
-
-/// Samples on one surface.
-struct Cluster {
-    std::uint32_t object = 0;
-    UnitVector3 first_normal;
-    std::size_t count = 0;
-    Vector3 normal;
-    Vector3 position;
-    double depth = 0.0;
-};
-
 class PixelPilot {
 public:
     PixelPilot(const ViewSetup& setup, std::size_t column, std::size_t row)
-        : setup_(setup), column_(column), row_(row), pixel_(row * setup.size.columns + column),
-          random_(setup.settings.seed, StreamPurpose::pilot, 0, pixel_) {}
-
-    void look() {
-        const std::size_t wanted = pilot_sight_lines(setup_.settings);
-        thread_local EyePath path;
-        for (std::uint32_t s = 0; s < wanted; ++s) {
-            NumberSequence numbers(random_, s);
-            const double u = numbers.next();
-            const double v = numbers.next();
-            const double lens_u = numbers.next();
-            const double lens_v = numbers.next();
-            const auto line = setup_.camera.sight_line(static_cast<double>(column_) + u,
-                                                       static_cast<double>(row_) + v,
-                                                       lens_u,
-                                                       lens_v);
-            ++asked_;
-            if (!line)
-                continue;
-            follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
-            const SeenSurface* seen = primary_of(path);
-            if (seen == nullptr || used_ == samples_.size())
-                continue;
-            PilotSample& sample = samples_[used_++];
-            sample.seen = *seen;
-            sample.object = object_of(setup_.scene, *seen);
-            sample.depth_on_axis = setup_.camera.depth_of(seen->at);
-            sample.cluster = join(sample);
-        }
-        pick_two();
+        : setup_(setup), look_(setup, column, row),
+          is_probed_(!setup.settings.is_preview || (column % 2 == 0 && row % 2 == 0)),
+          pixel_(look_.pixel()) {
+        look_.look();
     }
 
-    void write_geometry(PixelBuffers& buffers) const {
-        PixelGeometry& g = buffers.geometry;
-        if (clusters_used_ == 0)
+    void write(PixelBuffers& buffers, PilotPlanes& pilot) {
+        look_.write_geometry(buffers);
+        look_.write_plan(pilot);
+        if (look_.is_empty())
             return;
-        const auto write = [&](PixelSurface& surface, std::size_t cluster) {
-            const Cluster& c = clusters_[cluster];
-            surface.object[pixel_] = c.object;
-            surface.normal.set(pixel_, Vector3(UnitVector3(c.normal)));
-        };
-        write(g.first, first_);
-        if (second_ < clusters_used_)
-            write(g.second, second_);
-        const Cluster& c = clusters_[first_];
-        const double n = static_cast<double>(c.count);
-        g.position.set(pixel_, first_place().at - g.origin);
-        g.depth[pixel_] = static_cast<float>(c.depth / n);
-        g.coverage[pixel_] = static_cast<float>(n / static_cast<double>(asked_));
-        write_steps(g);
-        if (!setup_.camera.has_lens())
+        write_lights(buffers, pilot);
+        if (!is_probed_)
             return;
-        double low = std::numeric_limits<double>::infinity();
-        double high = 0.0;
-        for (std::size_t s = 0; s < used_; ++s) {
-            const double r = std::abs(setup_.camera.lens_shift(samples_[s].depth_on_axis));
-            low = std::min(low, r);
-            high = std::max(high, r);
-        }
-        g.lens_shift_min[pixel_] = static_cast<float>(low);
-        g.lens_shift_max[pixel_] = static_cast<float>(high);
+        write_distances(buffers.indirect);
+        pilot.is_near_edge[pixel_] = is_near_edge() ? 1 : 0;
     }
 
+private:
     void write_lights(PixelBuffers& buffers, PilotPlanes& pilot) {
-        if (clusters_used_ == 0)
-            return;
-        const Place first = first_place();
+        const SeenPlace first = look_.first_place();
         std::vector<double>& e = light_on(first);
         const double least = least_of(e);
         std::uint32_t faint = 0;
@@ -119,17 +54,17 @@ public:
                 continue;
             }
             buffers.lights[k].unshadowed_first[pixel_] = static_cast<float>(e[k]);
-            if (is_probed())
+            if (is_probed_)
                 probe(setup_.single[k], buffers.lights[k], false);
         }
         if (!setup_.merged.empty()) {
             LightLayer& layer = buffers.lights.back();
             layer.unshadowed_first[pixel_] = static_cast<float>(e.back());
-            if (e.back() > least && is_probed())
+            if (e.back() > least && is_probed_)
                 probe_merged(first, layer);
         }
-        if (second_ < clusters_used_) {
-            const std::vector<double>& s = light_on(place_of(second_));
+        if (look_.has_second()) {
+            const std::vector<double>& s = light_on(look_.second_place());
             const double least_second = least_of(s);
             for (std::size_t k = 0; k < s.size(); ++k) {
                 const bool is_faint = k < setup_.single.size() && s[k] <= least_second;
@@ -143,19 +78,16 @@ public:
     }
 
     void write_distances(IndirectLayer& indirect) {
-        if (clusters_used_ == 0)
-            return;
         // Directions from the samples on the surface, in turn; one from each in previews.
+        const auto places = look_.on_first();
         const std::size_t wanted = pilot_sight_lines(setup_.settings);
         double low = std::numeric_limits<double>::infinity();
         double high = 0.0;
-        std::size_t from = 0;
-        for (std::size_t d = 0; d < wanted; ++d, ++from) {
-            while (samples_[from % used_].cluster != first_)
-                ++from;
-            const SeenSurface& seen = samples_[from % used_].seen;
+        for (std::size_t d = 0; d < wanted; ++d) {
+            const SeenSurface& seen = places[d % places.size()];
             const auto dd = static_cast<std::uint32_t>(d);
-            const Vector3 local = sample_cosine_hemisphere(random_(dd, 4), random_(dd, 5));
+            const Vector3 local =
+                sample_cosine_hemisphere(look_.random()(dd, 4), look_.random()(dd, 5));
             if (local.z < most_grazing)
                 continue;
             const UnitVector3 w(make_basis(seen.normal).to_world(local));
@@ -170,23 +102,10 @@ public:
     }
 
     [[nodiscard]] bool is_near_edge() const noexcept {
-        if (clusters_used_ == 0)
-            return false;
-        const Place p = first_place();
+        const SeenPlace p = look_.first_place();
         return setup_.scene.caster.find_nearest_surfaces(p.at, setup_.edge).second
                < setup_.edge;
     }
-
-    /// Previews look for occluders and distances in every fourth pixel.
-    [[nodiscard]] bool is_probed() const noexcept {
-        return !setup_.settings.is_preview || (column_ % 2 == 0 && row_ % 2 == 0);
-    }
-
-private:
-    struct Place {
-        Point3 at;
-        UnitVector3 normal;
-    };
 
     [[nodiscard]] double least_of(const std::vector<double>& e) const noexcept {
         double total = 0.0;
@@ -195,81 +114,8 @@ private:
         return total * (setup_.settings.is_preview ? least_share_of_preview : least_share);
     }
 
-    std::size_t join(const PilotSample& s) {
-        for (std::size_t c = 0; c < clusters_used_; ++c)
-            if (clusters_[c].object == s.object
-                && dot(clusters_[c].first_normal, s.seen.normal) >= same_normal)
-                return add(c, s);
-        clusters_[clusters_used_] = {s.object, s.seen.normal, 0, {}, {}, 0.0};
-        return add(clusters_used_++, s);
-    }
-
-    std::size_t add(std::size_t c, const PilotSample& s) {
-        Cluster& cluster = clusters_[c];
-        ++cluster.count;
-        cluster.normal = cluster.normal + Vector3(s.seen.normal);
-        cluster.position = cluster.position + (s.seen.at - Point3{});
-        cluster.depth += s.seen.travelled;
-        return c;
-    }
-
-    void pick_two() {
-        first_ = second_ = clusters_.size();
-        for (std::size_t c = 0; c < clusters_used_; ++c)
-            if (first_ >= clusters_used_ || clusters_[c].count > clusters_[first_].count)
-                first_ = c;
-        for (std::size_t c = 0; c < clusters_used_; ++c)
-            if (c != first_
-                && (second_ >= clusters_used_ || clusters_[c].count > clusters_[second_].count))
-                second_ = c;
-    }
-
-    [[nodiscard]] Place place_of(std::size_t c) const noexcept {
-        const Cluster& cluster = clusters_[c];
-        return {Point3{} + cluster.position / static_cast<double>(cluster.count),
-                UnitVector3(cluster.normal)};
-    }
-
-    /// Where the line of sight through a place of the picture meets the tangent plane.
-    [[nodiscard]] std::optional<Point3>
-    on_plane(const Place& p, double x, double y) const noexcept {
-        const auto line = setup_.camera.sight_line(x, y);
-        if (!line)
-            return std::nullopt;
-        const double slope = dot(p.normal, line->direction);
-        const double t = dot(p.normal, p.at - line->eye) / slope;
-        if (!(slope < -1e-4) || !(t > 0.0))
-            return std::nullopt;
-        return line->eye + t * Vector3(line->direction);
-    }
-
-    /// The middle of what the pixel shows of its majority surface: where all of it is that
-    /// surface, the place its middle looks at, else the mean of the samples.
-    [[nodiscard]] Place first_place() const noexcept {
-        Place p = place_of(first_);
-        if (clusters_[first_].count == asked_ && !setup_.camera.has_lens())
-            if (const auto middle = on_plane(
-                    p, static_cast<double>(column_) + 0.5, static_cast<double>(row_) + 0.5))
-                p.at = *middle;
-        return p;
-    }
-
-    /// To where the neighbouring pixels look, on the tangent plane.
-    void write_steps(PixelGeometry& g) const {
-        const Place p = place_of(first_);
-        const double x = static_cast<double>(column_) + 0.5;
-        const double y = static_cast<double>(row_) + 0.5;
-        const auto here = on_plane(p, x, y);
-        const auto right = on_plane(p, x + 1.0, y);
-        const auto below = on_plane(p, x, y + 1.0);
-        if (here && right)
-            g.column_step.set(pixel_, *right - *here);
-        if (here && below)
-            g.row_step.set(pixel_, *below - *here);
-    }
-
     /// Unshadowed illuminance of every layer on a surface; the merged one last.
-    std::vector<double>& light_on(const Place& p) {
+    std::vector<double>& light_on(const SeenPlace& p) {
         thread_local std::vector<double> e;
         e.clear();
         for (const std::size_t l : setup_.single)
@@ -290,23 +136,21 @@ private:
         std::size_t occluded = 0;
         double low = std::numeric_limits<double>::infinity();
         double high = -1.0;
-        std::array<LightAim, most_samples> aims;
-        std::array<SightSegment, most_samples> sights;
-        std::array<float, most_samples> visible{};
-        std::array<std::size_t, most_samples> owner{};
+        std::array<LightAim, most_pilot_samples> aims;
+        std::array<SightSegment, most_pilot_samples> sights;
+        std::array<float, most_pilot_samples> visible{};
+        std::array<Point3, most_pilot_samples> places;
         std::uint32_t wanted = 0;
-        for (std::size_t s = 0; s < used_; ++s) {
-            if (samples_[s].cluster != first_)
-                continue;
+        for (const SeenSurface& seen : look_.on_first()) {
             const auto index = static_cast<std::uint32_t>(looks);
             aims[looks] = setup_.light.aim(l,
-                                           samples_[s].seen.at,
-                                           samples_[s].seen.normal,
+                                           seen.at,
+                                           seen.normal,
                                            sobol_owen(index, 0, words[0]),
                                            sobol_owen(index, 1, words[1]));
             sights[looks] = aims[looks].sight;
             wanted |= aims[looks].share > 0.0 ? 1U << looks : 0U;
-            owner[looks++] = s;
+            places[looks++] = seen.at;
         }
         if (wanted != 0)
             setup_.scene.caster.transmittance16(
@@ -315,7 +159,7 @@ private:
             if ((wanted >> k & 1U) == 0 || visible[k] > 0.0F)
                 continue;
             const OccluderSlopes slopes =
-                setup_.light.find_occluders(aims[k], samples_[owner[k]].seen.at, rays_);
+                setup_.light.find_occluders(aims[k], places[k], rays_);
             ++occluded;
             low = std::min(low, slopes.nearest_surface);
             high = std::max(high, slopes.nearest_light);
@@ -332,7 +176,7 @@ private:
     }
 
     /// The narrowest penumbra of the merged luminaires that matter here.
-    void probe_merged(const Place& p, LightLayer& layer) {
+    void probe_merged(const SeenPlace& p, LightLayer& layer) {
         float narrowest = 0.0F;
         const double least = least_share * static_cast<double>(layer.unshadowed_first[pixel_]);
         for (const std::size_t l : setup_.merged) {
@@ -355,16 +199,10 @@ private:
     }
 
     const ViewSetup& setup_;
-    std::size_t column_, row_, pixel_;
-    PointRandomness random_;
+    PilotLook look_;
+    bool is_probed_;
+    std::size_t pixel_;
     std::uint64_t rays_ = 0;
-    std::array<PilotSample, most_samples> samples_;
-    std::array<Cluster, most_samples> clusters_;
-    std::size_t used_ = 0;
-    std::size_t asked_ = 0;
-    std::size_t clusters_used_ = 0;
-    std::size_t first_ = most_samples;
-    std::size_t second_ = most_samples;
 };
 
 } // namespace
@@ -377,13 +215,7 @@ void run_pilot(const ViewSetup& setup,
     for_each_index(end_row - first_row, 1, [&](std::size_t r) {
         const std::size_t row = first_row + r;
         for (std::size_t column = 0; column < setup.size.columns; ++column) {
-            PixelPilot p(setup, column, row);
-            p.look();
-            p.write_geometry(buffers);
-            p.write_lights(buffers, pilot);
-            if (p.is_probed())
-                p.write_distances(buffers.indirect);
-            pilot.is_near_edge[row * setup.size.columns + column] = p.is_near_edge() ? 1 : 0;
+            PixelPilot(setup, column, row).write(buffers, pilot);
         }
     });
 }

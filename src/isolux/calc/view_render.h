@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "isolux/calc/render.h"
+#include "isolux/calc/view_sums.h"
 #include "isolux/transport/double_local_estimator.h"
 #include "isolux/transport/mirrored_light.h"
 #include "isolux/transport/seen_light.h"
@@ -11,12 +13,12 @@
 /// The parts of the renderer: what they share, the pilot, one pass over the picture.
 namespace isolux {
 
-/// Independent replicates of a picture; pass k belongs to replicate k mod 4. Even ones make
-/// half A, odd ones half B.
-inline constexpr std::uint32_t picture_replicates = 4;
-
 /// Pixels of a side of the tiles that are worked on at a time.
 inline constexpr std::size_t tile_side = 16;
+
+/// Work at a surface that a ray shows.
+inline constexpr SeenEffort effort_of_a_sample{4, 1, 4};
+inline constexpr SeenEffort effort_of_a_preview{4, 1, 2};
 
 /// Pilot rays a pixel; previews make do with fewer.
 [[nodiscard]] inline std::size_t pilot_sight_lines(const RenderSettings& settings) noexcept {
@@ -61,14 +63,20 @@ struct PilotPlanes {
     /// Luminaires whose light is too faint to be worth a shadow of its own: bit k stands for
     /// layer k on the first surface, bit 16 + k for the second.
     std::vector<std::uint32_t> faint;
+    std::vector<std::uint8_t> has_more;      ///< a ray showed something behind, or in a mirror
+    std::vector<std::uint8_t> has_luminaire; ///< rays that showed a luminaire
+    Plane reflected;                         ///< rho/pi of the majority surface, 1/sr, as seen
 };
 
-/// Sums over the samples of a picture; divided by their number at the end.
-struct PictureSums {
-    Planes3 raw, direct, emission, albedo;
-    Plane illuminance;                 ///< lx, of samples on the majority surface
-    std::vector<Plane> replicate;      ///< Y of each replicate
-    std::vector<std::uint16_t> passes; ///< through the pixel so far
+/// How often each pixel is sampled, in blocks of picture_replicates passes that come again and
+/// again, cycle after cycle. METHODS "Sample counts".
+struct SamplePlan {
+    std::vector<std::uint8_t> blocks; ///< of a cycle, for each pixel; empty: all have one
+    std::vector<std::size_t> active;  ///< pixels that take part in block 0, 1, ...
+
+    [[nodiscard]] bool takes(std::size_t pixel, std::size_t block) const noexcept {
+        return blocks.empty() || block < blocks[pixel];
+    }
 };
 
 /// The pilot of the pixels in rows [first_row, end_row): surfaces, geometry, unshadowed light,
@@ -79,10 +87,25 @@ void run_pilot(const ViewSetup& setup,
                PixelBuffers& buffers,
                PilotPlanes& pilot);
 
-/// One ray through every pixel of one tile, added to the sums.
+/// Counts from the pilot alone, so that they tell nothing about the picture's own samples.
+/// @param mean  samples a pixel and cycle
+/// @param buffers  as the pilot left them; takes the variance of reflected light
+[[nodiscard]] SamplePlan plan_samples(const ViewSetup& setup,
+                                      const PilotPlanes& pilot,
+                                      PixelBuffers& buffers,
+                                      double mean);
+
+/// Light vertices of one pass, slice by slice.
+[[nodiscard]] std::vector<VertexCache>
+build_caches(const ViewSetup& setup, std::uint32_t replicate, std::uint64_t unit);
+
+/// One ray through every pixel of one tile that takes part, added to the sums.
+/// @param block   of the plan's cycle
 /// @param caches  the slices of this pass
 void add_samples(const ViewSetup& setup,
                  std::uint32_t pass,
+                 const SamplePlan& plan,
+                 std::size_t block,
                  std::span<const VertexCache> caches,
                  std::size_t first_column,
                  std::size_t first_row,
@@ -101,5 +124,14 @@ void add_samples(const ViewSetup& setup,
 
 /// Normals of one surface differ by no more than 10 degrees: its cosine.
 inline constexpr double same_normal = 0.984807753012208;
+
+/// Places of one surface see each other no more than 10 degrees above the surface: a step
+/// between parallel faces of one object parts them.
+/// @param d  from one to the other
+[[nodiscard]] inline bool is_level(const UnitVector3& normal, const Vector3& d) noexcept {
+    constexpr double sine = 0.173648177666930;
+    constexpr double rounding = 1e-4; ///< m
+    return std::abs(dot(normal, d)) <= sine * length(d) + rounding;
+}
 
 } // namespace isolux

@@ -145,6 +145,24 @@ PixelBuffers make_view_buffers(const ViewSetup& setup) {
     return buffers;
 }
 
+std::vector<VertexCache>
+build_caches(const ViewSetup& setup, std::uint32_t replicate, std::uint64_t unit) {
+    const std::size_t slices = setup.slices_a_side * setup.slices_a_side;
+    const PathRandomness random(setup.settings.seed, replicate);
+    std::vector<VertexCache> caches(slices);
+    if (setup.settings.direct_only)
+        return caches;
+    for_each_index(slices, 1, [&](std::size_t s) {
+        caches[s] = build_vertex_cache(setup.scene,
+                                       setup.emission,
+                                       random,
+                                       (unit * slices + s) * setup.paths_a_slice,
+                                       setup.paths_a_slice,
+                                       setup.counts);
+    });
+    return caches;
+}
+
 const SeenSurface* primary_of(const EyePath& path) noexcept {
     for (const SeenSurface& s : path.surfaces)
         if (s.reflections == 0)

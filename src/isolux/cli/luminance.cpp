@@ -13,6 +13,7 @@
 
 #include "isolux/cli/calculation_options.h"
 #include "isolux/cli/console.h"
+#include "isolux/cli/dark_points.h"
 #include "isolux/cli/parse_values.h"
 #include "isolux/cli/receiver_lines.h"
 #include "isolux/cli/verbs.h"
@@ -67,13 +68,17 @@ ExitCode luminance(const LuminanceOptions& options) {
         for (const Message& notice : project.notices)
             report_notice(notice);
     }
+    const SceneSpace space(project.scene);
     const Scene scene = build_scene(std::move(project.scene));
+    DarkPoints dark(space, "eyes");
     ReceiverLines reader(std::cin, "stdin", LineForm::sight_line);
     std::vector<SightLine> lines;
     for (;;) {
         lines.clear();
-        for (const Receiver& r : reader.read(batch))
+        for (const Receiver& r : reader.read(batch)) {
             lines.push_back({r.point, r.axis});
+            dark.count(r.point, Vector3(r.axis));
+        }
         if (lines.empty())
             break;
         const LuminanceResults results = estimate_luminances(scene, lines, settings);
@@ -85,6 +90,8 @@ ExitCode luminance(const LuminanceOptions& options) {
         print(text);
         flush_output();
     }
+    if (!options.is_quiet)
+        dark.report();
     return ExitCode::success;
 }
 

@@ -12,10 +12,10 @@
 #include "isolux/calc/calculate.h"
 #include "isolux/cli/calculation_options.h"
 #include "isolux/cli/console.h"
+#include "isolux/cli/dark_points.h"
 #include "isolux/cli/parse_values.h"
 #include "isolux/cli/receiver_lines.h"
 #include "isolux/cli/verbs.h"
-#include "isolux/scene/scene_space.h"
 
 namespace isolux {
 
@@ -48,38 +48,6 @@ std::string to_json_line(const Receiver& receiver, const PointResult& p, double 
     return line.dump() + "\n";
 }
 
-/// Points where no light of a room comes.
-struct DarkPoints {
-    std::size_t points = 0;
-    std::size_t outside = 0;
-    std::size_t in_objects = 0;
-
-    void count(const std::vector<Receiver>& receivers, const SceneSpace& space) {
-        points += receivers.size();
-        for (const Receiver& r : receivers) {
-            const bool is_outside = space.is_outside(r.point);
-            outside += is_outside ? 1U : 0U;
-            in_objects += !is_outside && space.object_around(r.point) ? 1U : 0U;
-        }
-    }
-
-    void report(const SceneSpace& space) const {
-        if (outside > 0)
-            report_notice({"stdin",
-                           fmt::format("{} of {} points outside every room (no light of a room "
-                                       "gets there)",
-                                       outside,
-                                       points),
-                           extents_in_words(space.rooms())});
-        if (in_objects > 0)
-            report_notice({"stdin",
-                           fmt::format("{} of {} points inside an object (they get no light)",
-                                       in_objects,
-                                       points),
-                           ""});
-    }
-};
-
 std::size_t batch_size(const SenseOptions& options) {
     if (!options.batch.empty())
         return parse_count("--batch", options.batch, 1, 1'000'000);
@@ -101,12 +69,13 @@ ExitCode sense(const SenseOptions& options) {
     }
     const SceneSpace space(project.scene);
     const Scene scene = build_scene(std::move(project.scene));
-    DarkPoints dark;
+    DarkPoints dark(space, "points");
     ReceiverLines lines(std::cin, "stdin");
     CalculationSurface surface;
     surface.name = "stdin";
     while (!(surface.receivers = lines.read(batch)).empty()) {
-        dark.count(surface.receivers, space);
+        for (const Receiver& r : surface.receivers)
+            dark.count(r.point);
         const Results results = calculate(scene, {&surface, 1}, settings);
         std::string text;
         for (std::size_t i = 0; i < surface.receivers.size(); ++i) {
@@ -118,7 +87,7 @@ ExitCode sense(const SenseOptions& options) {
         flush_output();
     }
     if (!options.is_quiet)
-        dark.report(space);
+        dark.report();
     return ExitCode::success;
 }
 

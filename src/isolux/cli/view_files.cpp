@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "isolux/base/parallel.h"
 #include "isolux/cli/terminal.h"
 #include "isolux/io/exr.h"
 #include "isolux/io/file_name.h"
@@ -26,18 +27,24 @@ share_of_time(const RenderSettings& settings, Clock::time_point start, std::size
 
 std::string
 write_files(const ViewJob& job, const ViewPicture& picture, const std::string& stem) {
-    write_exr(job.folder / (stem + ".exr"), picture);
     const Exposure exposure = choose_exposure(picture);
-    write_tone_mapped(job.folder / (stem + ".png"), picture, exposure);
-    write_false_colours(job.folder / (stem + "-luminance.png"),
-                        picture,
-                        PictureQuantity::luminance,
-                        picture.view);
-    if (job.with_illuminance)
-        write_false_colours(job.folder / (stem + "-illuminance.png"),
+    // The .exr is packed while the others are drawn.
+    for_each_index(2, 1, [&](std::size_t part) {
+        if (part == 0) {
+            write_exr(job.folder / (stem + ".exr"), picture);
+            return;
+        }
+        write_tone_mapped(job.folder / (stem + ".png"), picture, exposure);
+        write_false_colours(job.folder / (stem + "-luminance.png"),
                             picture,
-                            PictureQuantity::illuminance,
+                            PictureQuantity::luminance,
                             picture.view);
+        if (job.with_illuminance)
+            write_false_colours(job.folder / (stem + "-illuminance.png"),
+                                picture,
+                                PictureQuantity::illuminance,
+                                picture.view);
+    });
     return describe(exposure);
 }
 

@@ -31,14 +31,16 @@ struct OnSurfaces {
     std::array<float, 7> second{};
 };
 
+/// @param with_second  the second surface shows something of the layer
 OnSurfaces read_layer(const PixelBuffers& buffers,
                       std::size_t i,
+                      bool with_second,
                       const std::array<const Plane*, 7>& planes) {
     OnSurfaces values;
     for (std::size_t c = 0; c < planes.size(); ++c)
         values.first[c] = (*planes[c])[i];
     values.second = values.first;
-    if (buffers.geometry.second.object[i] != 0)
+    if (with_second && buffers.geometry.second.object[i] != 0)
         read_second_surface(buffers.geometry, buffers.size, i, planes, values.second);
     return values;
 }
@@ -61,7 +63,6 @@ void recompose(const PixelBuffers& buffers,
     for_each_index(buffers.size.pixels(), grain, [&](std::size_t i) {
         if (g.first.object[i] == 0 && g.second.object[i] == 0)
             return;
-        const OnSurfaces v = read_layer(buffers, i, planes);
         const double e1 = light != nullptr ? light->unshadowed_first[i] : 1.0;
         const double e2 = light != nullptr ? light->unshadowed_second[i] : 1.0;
         const Rgb tint = light != nullptr ? light->colour : Rgb::grey(1.0);
@@ -71,6 +72,8 @@ void recompose(const PixelBuffers& buffers,
         };
         const auto k1 = pair(g.first, e1);
         const auto k2 = pair(g.second, e2);
+        const bool with_second = luminance_sum(k2[0]) + luminance_sum(k2[1]) > 0.0;
+        const OnSurfaces v = read_layer(buffers, i, with_second, planes);
         add(picture,
             i,
             0.5

@@ -36,6 +36,7 @@ struct FilterSettings {
     FilterSettings s;
     s.k_mu_shadow = 3.0;
     s.k_mu_indirect = 1.4;
+    s.floor_pixels = 3.0;
     s.radius = 20;
     s.choose_width = false;
     return s;

@@ -94,12 +94,24 @@ Pass<N> one_pass(const FilterSites& sites,
     return out;
 }
 
+/// Nothing is filtered: no width anywhere.
+bool is_idle(const FilterSites& sites) {
+    return std::none_of(
+        sites.narrowness.begin(), sites.narrowness.end(), [](float v) { return v > 0.0F; });
+}
+
 template <std::size_t N>
 Pass<N> two_passes(const FilterSites& sites,
                    const std::array<const Plane*, N>& in,
                    std::size_t radius,
                    const Plane* scale,
                    RowFilter<N> filter_row) {
+    if (is_idle(sites)) {
+        Pass<N> same;
+        for (std::size_t c = 0; c < N; ++c)
+            same[c] = *in[c];
+        return same;
+    }
     Pass<N> rows = one_pass<N>(sites, in, radius, scale, filter_row);
     std::array<const Plane*, N> pointers{};
     for (std::size_t c = 0; c < N; ++c) {

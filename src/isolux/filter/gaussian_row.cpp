@@ -100,6 +100,11 @@ ISOLUX_INLINE void filter_tile(const SiteRow& s,
     float weights[widths][tile] = {};
     float sums[channels * widths][tile] = {};
     const std::ptrdiff_t reach = radii<widths>(s, t0, n, radius);
+    if (reach == 0) {
+        for (int c = 0; c < channels * widths; ++c)
+            std::copy_n(in[c] + t0, n, out[c] + t0);
+        return;
+    }
     for (std::ptrdiff_t l = 0; l < n; ++l)
         sharper[l] = widths == 1 && s.scale ? 1.0F / (s.scale[t0 + l] * s.scale[t0 + l]) : 1.0F;
     for (std::ptrdiff_t r = -reach; r <= reach; ++r) {

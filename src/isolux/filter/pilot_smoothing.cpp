@@ -56,6 +56,11 @@ void fill_slopes(PictureSize size,
     along_rows_then_columns(size, [&](const Line& line, int pass) {
         const Plane& from_low = pass == 0 ? slope_min : low[0];
         const Plane& from_high = pass == 0 ? slope_max : high[0];
+        bool is_known = false;
+        for (std::ptrdiff_t i = 0; i < line.count && !is_known; ++i)
+            is_known = !(from_low[line.at(i)] < 0.0F);
+        if (!is_known)
+            return;
         for (std::ptrdiff_t i = 0; i < line.count; ++i) {
             const std::size_t p = line.at(i);
             for_neighbours(line, i, fill_radius, [&](std::size_t q, std::ptrdiff_t) {

@@ -125,7 +125,7 @@ struct IndirectLayer {
     // 0.22.
     Plane z_min;    ///< m; infinite: nothing hit
     Plane z_max;    ///< m
-    Plane variance; ///< of one sample's luminance_sum, lx^2; 0 where unknown
+    Plane variance; ///< of one sample's luminance_sum, lx^2; < 0: unknown
 };
 
 /// All a renderer leaves. What is in no layer is in the remainder and passes

@@ -12,7 +12,8 @@ constexpr double pi = 3.14159265358979323846;
 constexpr float edge_weight = 0.3F;
 constexpr float fully_covered = 0.999F;
 
-/// Mean over a square of pixels of the same object as the middle one.
+/// Mean over a square of pixels of the same object as the middle one; values below 0 are
+/// unknown, and so is a mean of none.
 Plane mean_on_object(PictureSize size,
                      const std::vector<std::uint32_t>& object,
                      const Plane& values,
@@ -35,12 +36,13 @@ Plane mean_on_object(PictureSize size,
                      u <= std::min(columns - 1, x + radius);
                      ++u) {
                     const auto j = static_cast<std::size_t>(v * columns + u);
-                    const float same = object[j] == object[i] ? 1.0F : 0.0F;
+                    const float same =
+                        object[j] == object[i] && values[j] >= 0.0F ? 1.0F : 0.0F;
                     sum += same * values[j];
                     count += same;
                 }
             }
-            mean[i] = sum / count;
+            mean[i] = count > 0.0F ? sum / count : -1.0F;
         }
     });
     return mean;
@@ -65,6 +67,22 @@ std::vector<bool> edges(const PixelGeometry& g, PictureSize size) {
     return edge;
 }
 
+/// Values below 0 become the mean of the others.
+void fill_unknown(Plane& values) {
+    double sum = 0.0;
+    std::size_t known = 0;
+    for (const float v : values) {
+        if (v < 0.0F)
+            continue;
+        sum += static_cast<double>(v);
+        ++known;
+    }
+    const auto mean = static_cast<float>(known > 0 ? sum / static_cast<double>(known) : 0.0);
+    for (float& v : values)
+        if (v < 0.0F)
+            v = mean;
+}
+
 SampleNeed make_need(const PixelGeometry& geometry, const FilterSites& sites) {
     SampleNeed need;
     need.left.resize(sites.size.pixels());
@@ -77,9 +95,10 @@ SampleNeed make_need(const PixelGeometry& geometry, const FilterSites& sites) {
     return need;
 }
 
-/// Half of the counts go to either half of the picture: they are even.
-std::uint16_t even_count(double n, std::uint16_t least, std::uint16_t most) {
-    const double rounded = 2.0 * std::floor(0.5 * n + 0.5);
+/// A multiple of `step`: every half or replicate of the picture gets as many.
+std::uint16_t
+whole_count(double n, std::uint16_t least, std::uint16_t most, std::uint16_t step) {
+    const double rounded = step * std::floor(n / step + 0.5);
     return static_cast<std::uint16_t>(std::clamp<double>(rounded, least, most));
 }
 
@@ -108,9 +127,28 @@ SampleNeed indirect_need(const PixelGeometry& geometry,
                          const FilterSites& sites) {
     SampleNeed need = make_need(geometry, sites);
     need.variance = mean_on_object(sites.size, sites.object, indirect.variance, 4);
+    fill_unknown(need.variance);
     for (std::size_t i = 0; i < need.variance.size(); ++i)
         need.settled[i] = sites.object[i] == 0;
     return need;
+}
+
+void add_need(SampleNeed& total, const SampleNeed& layer) {
+    const std::size_t n = layer.variance.size();
+    if (total.variance.empty()) {
+        total.variance.assign(n, 0.0F);
+        total.left.assign(n, 1.0F);
+        total.settled.assign(n, true);
+        total.edge.assign(n, false);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!layer.settled[i]) {
+            total.variance[i] += layer.variance[i] * layer.left[i];
+            total.settled[i] = false;
+        }
+        if (layer.edge[i])
+            total.edge[i] = true;
+    }
 }
 
 std::vector<std::uint16_t> counts_for_error(const SampleNeed& need,
@@ -120,24 +158,25 @@ std::vector<std::uint16_t> counts_for_error(const SampleNeed& need,
     std::vector<std::uint16_t> counts(need.variance.size(), least);
     for (std::size_t i = 0; i < counts.size(); ++i)
         if (!need.settled[i])
-            counts[i] =
-                even_count(need.variance[i] * need.left[i] / (wanted * wanted), least, most);
+            counts[i] = whole_count(
+                need.variance[i] * need.left[i] / (wanted * wanted), least, most, 2);
     return counts;
 }
 
 std::vector<std::uint16_t> counts_for_budget(const SampleNeed& need,
-                                             const Plane& illuminance,
+                                             const Plane& value,
                                              double mean,
                                              std::uint16_t least,
-                                             std::uint16_t most) {
-    const std::size_t pixels = illuminance.size();
+                                             std::uint16_t most,
+                                             std::uint16_t step) {
+    const std::size_t pixels = value.size();
     double sum = 0.0;
-    for (const float e : illuminance)
-        sum += e;
+    for (const float v : value)
+        sum += v;
     const double dark = 0.1 * sum / static_cast<double>(std::max<std::size_t>(1, pixels));
     Plane weight(pixels, 0.0F);
     for (std::size_t i = 0; i < pixels; ++i) {
-        const double scale = std::hypot<double>(illuminance[i], dark);
+        const double scale = std::hypot<double>(value[i], dark);
         if (!need.settled[i] && scale > 0.0)
             weight[i] = static_cast<float>(
                 std::sqrt(std::max(0.0F, need.variance[i] * need.left[i])) / scale);
@@ -147,7 +186,7 @@ std::vector<std::uint16_t> counts_for_budget(const SampleNeed& need,
     const auto counts_at = [&](double factor, std::vector<std::uint16_t>& counts) {
         double total = 0.0;
         for (std::size_t i = 0; i < pixels; ++i)
-            total += counts[i] = even_count(factor * weight[i], least, most);
+            total += counts[i] = whole_count(factor * weight[i], least, most, step);
         return total;
     };
     std::vector<std::uint16_t> counts(pixels, least);

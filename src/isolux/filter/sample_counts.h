@@ -32,6 +32,11 @@ shadow_need(const PixelGeometry& geometry, const LightLayer& light, const Filter
                                        const IndirectLayer& indirect,
                                        const FilterSites& sites);
 
+/// Adds a layer to what others of the picture need: the variances that the
+/// filter leaves add up, settled is what nobody needs.
+/// @param total  empty, or what this function made
+void add_need(SampleNeed& total, const SampleNeed& layer);
+
 /// Counts for a wanted standard deviation of the filtered value.
 /// @param wanted  lx, > 0
 [[nodiscard]] std::vector<std::uint16_t> counts_for_error(const SampleNeed& need,
@@ -41,12 +46,14 @@ shadow_need(const PixelGeometry& geometry, const LightLayer& light, const Filter
 
 /// Counts that add up to about `mean` a pixel and make the relative error of
 /// the picture small.
-/// @param illuminance  lx, pilot's; its tenth of the mean keeps dark pixels
-/// from taking all
+/// @param value  what the picture shows, pilot's, in the unit whose square the
+/// variances have; a tenth of its mean keeps dark pixels from taking all
+/// @param step  counts are multiples of it, as are least and most
 [[nodiscard]] std::vector<std::uint16_t> counts_for_budget(const SampleNeed& need,
-                                                           const Plane& illuminance,
+                                                           const Plane& value,
                                                            double mean,
                                                            std::uint16_t least = 2,
-                                                           std::uint16_t most = 4096);
+                                                           std::uint16_t most = 4096,
+                                                           std::uint16_t step = 2);
 
 } // namespace isolux

@@ -73,12 +73,16 @@ private:
     std::size_t at_ = 0;
 };
 
+/// Of zip: two thirds of the time of the usual level for a percent more bytes.
+constexpr int fast_level = 2;
+
 /// The header and the frame buffer of a file, channel by channel.
 class Layers {
 public:
     explicit Layers(PictureSize size)
         : size_(size), header(static_cast<int>(size.columns), static_cast<int>(size.rows)) {
         header.compression() = Imf::ZIP_COMPRESSION;
+        header.zipCompressionLevel() = fast_level;
         Imf::addWhiteLuminance(header, 1.0F);
         Imf::addChromaticities(header, Imf::Chromaticities()); // Rec. 709, D65
     }

@@ -90,6 +90,53 @@ TEST(SampleCounts, OfReflectedLightAverageThePilotOverNeighbours) {
     EXPECT_EQ(need.variance[10 * 30 + 15], 0.0F);
 }
 
+TEST(SampleCounts, TakeTheMeanOfTheOthersWhereThePilotKnowsNothing) {
+    PixelBuffers buffers = make_floor_buffers({30, 30}, 0.01);
+    std::fill(buffers.indirect.z_min.begin(), buffers.indirect.z_min.end(), 1.0F);
+    std::fill(buffers.indirect.variance.begin(), buffers.indirect.variance.end(), -1.0F);
+    buffers.indirect.variance[3 * 30 + 3] = 2.0F;
+    buffers.indirect.variance[3 * 30 + 20] = 4.0F;
+    const FilterSites sites =
+        make_indirect_sites(buffers.geometry, buffers.size, buffers.indirect, picture_filter());
+    const SampleNeed need = indirect_need(buffers.geometry, buffers.indirect, sites);
+    EXPECT_FLOAT_EQ(need.variance[3 * 30 + 5], 2.0F) << "its neighbour's alone";
+    EXPECT_FLOAT_EQ(need.variance[3 * 30 + 20], 4.0F);
+    EXPECT_NEAR(need.variance[25 * 30 + 10], 3.0, 0.3) << "no neighbour knows";
+}
+
+TEST(SampleCounts, OfSeveralLayersAddUpWhatTheFilterLeaves) {
+    SampleNeed shadow{{4.0F, 9.0F}, {0.5F, 1.0F}, {false, true}, {false, false}};
+    SampleNeed reflected{{1.0F, 2.0F}, {0.25F, 0.5F}, {false, true}, {true, false}};
+    SampleNeed total;
+    add_need(total, shadow);
+    add_need(total, reflected);
+    EXPECT_FLOAT_EQ(total.variance[0] * total.left[0], 2.25F);
+    EXPECT_EQ(total.variance[1], 0.0F) << "settled in both";
+    EXPECT_FALSE(total.settled[0]);
+    EXPECT_TRUE(total.settled[1]);
+    EXPECT_TRUE(total.edge[0]);
+    EXPECT_FALSE(total.edge[1]);
+}
+
+TEST(SampleCounts, AreMultiplesOfTheReplicates) {
+    SampleNeed need;
+    for (int i = 0; i < 100; ++i)
+        need.variance.push_back(static_cast<float>(i));
+    need.left.assign(100, 1.0F);
+    need.settled.assign(100, false);
+    need.edge.assign(100, false);
+    const auto counts = counts_for_budget(need, Plane(100, 10.0F), 16.0, 8, 32, 4);
+    for (const std::uint16_t n : counts) {
+        EXPECT_EQ(n % 4, 0);
+        EXPECT_GE(n, 8);
+        EXPECT_LE(n, 32);
+    }
+    EXPECT_LT(counts[1], counts[90]);
+    const double mean = std::accumulate(counts.begin(), counts.end(), 0.0) / 100.0;
+    EXPECT_LE(mean, 16.0);
+    EXPECT_GT(mean, 14.0);
+}
+
 TEST(PilotSmoothing, FillsSlopesFromTheSameObjectWithinFivePixels) {
     const PictureSize size{12, 1};
     std::vector<std::uint32_t> object(12, 1);

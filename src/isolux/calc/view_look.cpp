@@ -1,0 +1,155 @@
+#include "isolux/calc/view_look.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace isolux {
+
+void PilotLook::look() {
+    const std::size_t wanted = pilot_sight_lines(setup_.settings);
+    thread_local EyePath path;
+    for (std::uint32_t s = 0; s < wanted; ++s) {
+        NumberSequence numbers(random_, s);
+        const double u = numbers.next();
+        const double v = numbers.next();
+        const double lens_u = numbers.next();
+        const double lens_v = numbers.next();
+        const auto line = setup_.camera.sight_line(
+            static_cast<double>(column_) + u, static_cast<double>(row_) + v, lens_u, lens_v);
+        ++asked_;
+        if (!line)
+            continue;
+        follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
+        const SeenSurface* seen = primary_of(path);
+        on_luminaire_ += luminance_sum(path.luminaires) > 0.0 ? 1U : 0U;
+        has_more_ = has_more_ || path.surfaces.size() > (seen != nullptr ? 1U : 0U);
+        if (seen == nullptr || used_ == samples_.size())
+            continue;
+        Sample& sample = samples_[used_++];
+        sample.seen = *seen;
+        sample.object = object_of(setup_.scene, *seen);
+        sample.depth_on_axis = setup_.camera.depth_of(seen->at);
+        sample.cluster = join(sample);
+    }
+    pick_two();
+}
+
+std::size_t PilotLook::join(const Sample& s) {
+    for (std::size_t c = 0; c < clusters_used_; ++c)
+        if (clusters_[c].object == s.object
+            && dot(clusters_[c].first_normal, s.seen.normal) >= same_normal
+            && is_level(s.seen.normal, s.seen.at - clusters_[c].first_place))
+            return add(c, s);
+    clusters_[clusters_used_] = {s.object, s.seen.normal, s.seen.at, 0, {}, {}, 0.0};
+    return add(clusters_used_++, s);
+}
+
+std::size_t PilotLook::add(std::size_t c, const Sample& s) {
+    Cluster& cluster = clusters_[c];
+    ++cluster.count;
+    cluster.normal = cluster.normal + Vector3(s.seen.normal);
+    cluster.position = cluster.position + (s.seen.at - Point3{});
+    cluster.depth += s.seen.travelled;
+    return c;
+}
+
+void PilotLook::pick_two() {
+    first_ = second_ = clusters_.size();
+    for (std::size_t c = 0; c < clusters_used_; ++c)
+        if (first_ >= clusters_used_ || clusters_[c].count > clusters_[first_].count)
+            first_ = c;
+    for (std::size_t c = 0; c < clusters_used_; ++c)
+        if (c != first_
+            && (second_ >= clusters_used_ || clusters_[c].count > clusters_[second_].count))
+            second_ = c;
+    for (std::size_t s = 0; s < used_; ++s)
+        if (samples_[s].cluster == first_)
+            on_first_[on_first_used_++] = samples_[s].seen;
+}
+
+SeenPlace PilotLook::place_of(std::size_t c) const noexcept {
+    const Cluster& cluster = clusters_[c];
+    return {Point3{} + cluster.position / static_cast<double>(cluster.count),
+            UnitVector3(cluster.normal)};
+}
+
+/// Where the line of sight through a place of the picture meets the tangent plane.
+std::optional<Point3>
+PilotLook::on_plane(const SeenPlace& p, double x, double y) const noexcept {
+    const auto line = setup_.camera.sight_line(x, y);
+    if (!line)
+        return std::nullopt;
+    const double slope = dot(p.normal, line->direction);
+    const double t = dot(p.normal, p.at - line->eye) / slope;
+    if (!(slope < -1e-4) || !(t > 0.0))
+        return std::nullopt;
+    return line->eye + t * Vector3(line->direction);
+}
+
+SeenPlace PilotLook::first_place() const noexcept {
+    SeenPlace p = place_of(first_);
+    if (clusters_[first_].count == asked_ && !setup_.camera.has_lens())
+        if (const auto middle = on_plane(
+                p, static_cast<double>(column_) + 0.5, static_cast<double>(row_) + 0.5))
+            p.at = *middle;
+    return p;
+}
+
+/// To where the neighbouring pixels look, on the tangent plane.
+void PilotLook::write_steps(PixelGeometry& g) const {
+    const SeenPlace p = place_of(first_);
+    const double x = static_cast<double>(column_) + 0.5;
+    const double y = static_cast<double>(row_) + 0.5;
+    const auto here = on_plane(p, x, y);
+    const auto right = on_plane(p, x + 1.0, y);
+    const auto below = on_plane(p, x, y + 1.0);
+    if (here && right)
+        g.column_step.set(pixel_, *right - *here);
+    if (here && below)
+        g.row_step.set(pixel_, *below - *here);
+}
+
+void PilotLook::write_geometry(PixelBuffers& buffers) const {
+    PixelGeometry& g = buffers.geometry;
+    if (clusters_used_ == 0)
+        return;
+    const auto write = [&](PixelSurface& surface, std::size_t cluster) {
+        const Cluster& c = clusters_[cluster];
+        surface.object[pixel_] = c.object;
+        surface.normal.set(pixel_, Vector3(UnitVector3(c.normal)));
+    };
+    write(g.first, first_);
+    if (second_ < clusters_used_)
+        write(g.second, second_);
+    const Cluster& c = clusters_[first_];
+    const double n = static_cast<double>(c.count);
+    g.position.set(pixel_, first_place().at - g.origin);
+    g.depth[pixel_] = static_cast<float>(c.depth / n);
+    g.coverage[pixel_] = static_cast<float>(n / static_cast<double>(asked_));
+    write_steps(g);
+    if (!setup_.camera.has_lens())
+        return;
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0.0;
+    for (std::size_t s = 0; s < used_; ++s) {
+        const double r = std::abs(setup_.camera.lens_shift(samples_[s].depth_on_axis));
+        low = std::min(low, r);
+        high = std::max(high, r);
+    }
+    g.lens_shift_min[pixel_] = static_cast<float>(low);
+    g.lens_shift_max[pixel_] = static_cast<float>(high);
+}
+
+void PilotLook::write_plan(PilotPlanes& pilot) const {
+    pilot.has_more[pixel_] = has_more_ ? 1 : 0;
+    pilot.has_luminaire[pixel_] = on_luminaire_;
+    constexpr double inverse_pi = 0.318309886183790671538;
+    double reflected = 0.0;
+    for (const SeenSurface& seen : on_first())
+        reflected += seen.throughput * luminance_sum(seen.diffuse);
+    pilot.reflected[pixel_] =
+        static_cast<float>(inverse_pi * reflected / static_cast<double>(asked_));
+}
+
+} // namespace isolux
