@@ -115,12 +115,15 @@ SphericalRectangle::SphericalRectangle(const Point3& corner,
         return;
     // Unit normals of the four planes through eye and edge: (0, y, z) for the sides along x,
     // (x, 0, z) for those along y.
-    const double r0 = std::hypot(z0_, y0_);
-    const double r1 = std::hypot(z0_, x1_);
-    const double r2 = std::hypot(z0_, y1_);
-    const double r3 = std::hypot(z0_, x0_);
-    const auto angle = [](double ny, double nz, double mx, double mz) {
-        return std::atan2(std::hypot(ny * mz, nz * mx, ny * mx), -nz * mz);
+    const auto root = [](double a, double b, double c) { // metres: nothing overflows
+        return std::sqrt(a * a + b * b + c * c);
+    };
+    const double r0 = root(z0_, y0_, 0.0);
+    const double r1 = root(z0_, x1_, 0.0);
+    const double r2 = root(z0_, y1_, 0.0);
+    const double r3 = root(z0_, x0_, 0.0);
+    const auto angle = [&](double ny, double nz, double mx, double mz) {
+        return std::atan2(root(ny * mz, nz * mx, ny * mx), -nz * mz);
     };
     const double g0 = angle(z0_ / r0, -y0_ / r0, -z0_ / r1, x1_ / r1);
     const double g1 = angle(-z0_ / r2, y1_ / r2, -z0_ / r1, x1_ / r1);
@@ -135,7 +138,7 @@ SphericalRectangle::SphericalRectangle(const Point3& corner,
 Point3 SphericalRectangle::sample(double u, double v) const noexcept {
     const double a = u * omega_ + k_;
     const double fu = (std::cos(a) * b0_ - b1_) / std::sin(a);
-    const double cu = std::clamp(std::copysign(1.0, fu) / std::hypot(fu, b0_), -1.0, 1.0);
+    const double cu = std::clamp(std::copysign(1.0, fu) / std::sqrt(fu * fu + b0_ * b0_), -1.0, 1.0);
     const double x = std::clamp(-cu * z0_ / std::max(unit_sine(cu), 1e-15), x0_, x1_);
     const double d2 = x * x + z0_ * z0_;
     const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
