@@ -138,7 +138,8 @@ SphericalRectangle::SphericalRectangle(const Point3& corner,
 Point3 SphericalRectangle::sample(double u, double v) const noexcept {
     const double a = u * omega_ + k_;
     const double fu = (std::cos(a) * b0_ - b1_) / std::sin(a);
-    const double cu = std::clamp(std::copysign(1.0, fu) / std::sqrt(fu * fu + b0_ * b0_), -1.0, 1.0);
+    const double cu =
+        std::clamp(std::copysign(1.0, fu) / std::sqrt(fu * fu + b0_ * b0_), -1.0, 1.0);
     const double x = std::clamp(-cu * z0_ / std::max(unit_sine(cu), 1e-15), x0_, x1_);
     const double d2 = x * x + z0_ * z0_;
     const double h0 = y0_ / std::sqrt(d2 + y0_ * y0_);
