@@ -92,14 +92,10 @@ void Accumulator::replicate_values(const Tile& tile,
     };
     const double direct_share = share_of(direct_units_[point]);
     const double indirect_share = share_of(indirect_units_[point]);
-    const auto parked = parked_.find(point);
-    const bool stands_in = indirect_units_[point] == 0 && parked != parked_.end();
-    const double parked_share = stands_in ? share_of(parked->second.units) : 0.0;
     for (std::size_t r = 0; r < replicates_; ++r) {
         const std::size_t at = r * points_ + point;
         direct[r] = direct_share * direct_[at];
-        indirect[r] =
-            stands_in ? parked_share * parked->second.sums[r] : indirect_share * indirect_[at];
+        indirect[r] = indirect_share * indirect_[at];
         total[r] = direct[r] + indirect[r];
     }
 }

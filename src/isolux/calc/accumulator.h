@@ -57,8 +57,7 @@ public:
     [[nodiscard]] std::size_t open_points() const noexcept;
 
     /// Another estimator takes over the indirect light of a point: its sums are parked, and
-    /// those of the estimator before come back. Sums without units are nobody's: what is parked
-    /// stands for them.
+    /// those of the estimator before come back.
     void change_estimator(std::size_t point);
 
     /// Complete units of work behind the sums of a point.

@@ -116,19 +116,15 @@ std::vector<float> Books::means(const Book& book, Part part, const Accumulator& 
     const std::size_t kept = sums.replicates();
     std::vector<float> values(book.rows * kept * points_, 0.0F);
     for (std::size_t p = 0; p < sums.points(); ++p) {
-        std::size_t units =
+        const std::size_t units =
             part == Part::direct ? sums.direct_units(p) : sums.indirect_units(p);
-        const bool stands_in = part == Part::indirect && units == 0;
-        if (stands_in)
-            units = sums.parked_units(p);
         if (units == 0)
             continue;
         for (std::size_t row = 0; row < book.rows; ++row)
-            for (std::size_t r = 0; r < kept; ++r) {
-                const float sum = stands_in ? book.parked.at(p)[row * replicates_ + r]
-                                            : book.sums[(row * replicates_ + r) * points_ + p];
-                values[(row * kept + r) * points_ + p] = sum / static_cast<float>(units);
-            }
+            for (std::size_t r = 0; r < kept; ++r)
+                values[(row * kept + r) * points_ + p] =
+                    book.sums[(row * replicates_ + r) * points_ + p]
+                    / static_cast<float>(units);
     }
     return values;
 }

@@ -22,7 +22,7 @@ constexpr std::size_t replicates = Engine::replicates;
 /// Fewer than this carry no error bar worth the name; an interrupted run then has no result.
 constexpr std::size_t fewest_replicates = 4;
 
-/// Up to so many active points all replicates of a unit run at once.
+/// Up to so many open points all replicates of a unit run at once.
 constexpr std::size_t points_worth_waiting = 2048;
 
 /// A part of a point's light whose variance is less than this share of what the point may have
@@ -74,6 +74,7 @@ public:
             }
             target = done + next.units;
             expected_ = work_done_ + open.size() * next.units;
+            report("calculating");
         }
         return collect(done);
     }
@@ -127,6 +128,10 @@ private:
                     if (engine_.needs_paths() || unit == 0)
                         cache = engine_.build_cache(r, unit);
                     for_each_index(active.size(), 1, [&](std::size_t a) {
+                        if (unit > 0 && (cut_short || must_stop())) {
+                            cut_short = true; // only the first unit is worth its end
+                            return;
+                        }
                         const Accumulator::Tile& tile = sums_.tiles()[active[a]];
                         engine_.estimate_indirect(
                             cache,
@@ -139,6 +144,8 @@ private:
                             books_.entries(pages[a], tile, r));
                     });
                 });
+            if (cut_short)
+                break;
             for (std::size_t k = 0; k < side_by_side; ++k)
                 count_flux(caches[k], flux[complete + k]);
             rays.insert(rays.end(), own.begin(), own.end());
@@ -159,6 +166,8 @@ private:
             if (unit > 0)
                 return false;
             sums_.keep_replicates(complete < fewest_replicates ? 0 : complete);
+            if (complete < fewest_replicates)
+                return false;
         }
         for (std::size_t a = 0; a < active.size(); ++a) {
             const Accumulator::Tile& tile = sums_.tiles()[active[a]];
@@ -224,7 +233,11 @@ private:
                 const double value = std::max(std::abs(e.total.mean), floor);
                 if (value > 0.0)
                     worst_ = std::max(worst_, factor * e.total.standard_error / value);
-                if (r.is_met(e.total, check, floor)) {
+                // A point that has changed and sees nothing any more is no point in the dark.
+                const bool sees_nothing = e.indirect.standard_error == 0.0
+                                          && sums_.parked_units(tile.first + p) > 0
+                                          && sums_.parked(tile.first + p).mean > 0.0;
+                if (!sees_nothing && r.is_met(e.total, check, floor)) {
                     sums_.refine(tile.first + p, false, false);
                     continue;
                 }
@@ -248,7 +261,7 @@ private:
         sums_.refine(point, refines_direct, refines_indirect);
         // Direct light keeps its share of the error, a smaller one where it is refined.
         const double rest = std::max(0.25 * all, all - (refines_direct ? 0.5 : 1.0) * direct);
-        OpenPoint open{point, refines_indirect, rest, {}, {}};
+        OpenPoint open{point, refines_indirect, e.indirect.mean, rest, {}, {}};
         open.current = {sums_.indirect_units(point), indirect / rest};
         if (const std::size_t units = sums_.parked_units(point); units > 0)
             open.parked = {units, squared(sums_.parked(point).standard_error) / rest};
@@ -316,7 +329,18 @@ private:
         return balance;
     }
 
+    /// Points that have changed and got nothing since go back to what they had.
+    void change_back() {
+        for (std::size_t p = 0; p < sums_.points(); ++p)
+            if (sums_.indirect_units(p) == 0 && sums_.parked_units(p) > 0) {
+                engine_.change_back(p);
+                sums_.change_estimator(p);
+                books_.change_estimator(p);
+            }
+    }
+
     Results collect(std::size_t units) {
+        change_back();
         Results results;
         results.converged = true;
         std::size_t point = 0;

@@ -58,6 +58,13 @@ std::uint32_t whole_rounds(double samples) noexcept {
     return (wanted + round - 1) / round * round;
 }
 
+/// Those that begin to trace make a unit at most so many times as long as the first ones were:
+/// who stops in between loses no more.
+constexpr double longest_unit = 4.0;
+
+/// In place of the unit in which a point changed to tracing.
+constexpr std::uint32_t unchanged = ~0U;
+
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
 double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
     const double lux = luminance_sum(e);
@@ -122,10 +129,11 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
     if (settings_.estimator != Estimator::automatic || settings_.direct_only)
         return next;
     constexpr auto runs = static_cast<double>(replicates);
+    constexpr double never = 1e300; // ns
     const double paths_cost = runs * static_cast<double>(effort_.paths) * costs_.path;
     std::vector<OpenPoint> points;
     std::vector<Finish> finishes;
-    std::vector<std::size_t> unknown; // what tracing them costs
+    std::vector<std::size_t> unknown; // what tracing them costs: numbers into `points`
     double cost = 0.0;
     double most = 0.0;
     for (const OpenPoint& p : open) {
@@ -134,31 +142,33 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
         if (!p.refines_indirect || (traces && p.parked.units == 0))
             continue; // or traced from the beginning
         const Advance& shared = traces ? p.parked : p.current;
+        const Advance& traced = traces ? p.current : p.parked;
         Finish f;
         f.units = static_cast<double>(shared.units) * share_missing(shared);
-        f.unit_cost = runs
-                      * (costs_.of(effort_.paths, effort_of(i), 1)
-                         - static_cast<double>(effort_.paths) * costs_.path);
-        const Advance& traced = traces ? p.current : p.parked;
+        f.unit_cost = runs * own_cost(i);
         if (traced.units > 0)
             f.traced = runs * static_cast<double>(traced.units * samples_[i]) * costs_.sample
                        * share_missing(traced);
-        else if (traced_variance_[i] < 0.0F)
-            unknown.push_back(i);
+        else if (trials_[i] < 0.0F)
+            unknown.push_back(points.size());
+        if (traces && traced.excess == 0.0)
+            f.traced = never; // it has seen nothing yet
         cost += f.units * f.unit_cost;
         most = std::max(most, f.units);
         points.push_back(p);
         finishes.push_back(f);
     }
     cost += most * paths_cost;
-    if (!unknown.empty() && !try_out(unknown, worth_a_trial * cost))
-        return next;
+    try_out(points, unknown, worth_a_trial * cost);
     const auto samples_for = [&](const OpenPoint& p) { // of one replicate, from the beginning
-        return doubt * static_cast<double>(traced_variance_[p.receiver]) / (runs * p.allowed);
+        return doubt * static_cast<double>(trials_[p.receiver]) / (runs * p.allowed);
     };
     for (std::size_t k = 0; k < points.size(); ++k)
         if (finishes[k].traced == 0.0)
-            finishes[k].traced = runs * std::max(samples_for(points[k]), 4.0) * costs_.sample;
+            finishes[k].traced =
+                trials_[points[k].receiver] < 0.0F
+                    ? never
+                    : runs * std::max(samples_for(points[k]), 4.0) * costs_.sample;
     std::vector<PointEstimator> chosen(points.size(), PointEstimator::mis);
     for (const std::size_t k : choose_traced(finishes, paths_cost))
         chosen[k] = PointEstimator::path_tracing;
@@ -166,37 +176,74 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
     double wanted = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k)
         if (chosen[k] == PointEstimator::mis)
-            wanted = std::max(wanted, finishes[k].units);
+            wanted = std::max({wanted, finishes[k].units, 0.25 * static_cast<double>(units)});
     if (wanted > 0.0)
         next.units = std::min(units, static_cast<std::size_t>(std::ceil(wanted)));
+    const auto begins = [&](std::size_t k) {
+        return chosen[k] == PointEstimator::path_tracing && points[k].parked.units == 0;
+    };
+    double beginners = 0.0; // cost of a unit of theirs
+    for (std::size_t k = 0; k < points.size(); ++k)
+        if (begins(k))
+            beginners += finishes[k].traced / static_cast<double>(next.units);
+    const double fits =
+        beginners > 0.0 ? std::min(1.0, longest_unit * first_unit_cost_ / beginners) : 1.0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const std::size_t i = points[k].receiver;
         if (chosen[k] == estimators_[i])
             continue;
-        estimators_[i] = chosen[k];
-        if (points[k].parked.units == 0) // numbers of a second turn must not meet the first's
+        if (begins(k)) { // a second turn goes on with the numbers of the first
             samples_[i] =
-                whole_rounds(samples_for(points[k]) / static_cast<double>(next.units));
+                whole_rounds(fits * samples_for(points[k]) / static_cast<double>(next.units));
+            began_[i] = static_cast<std::uint32_t>(units);
+        }
+        estimators_[i] = chosen[k];
         next.changed.push_back(i);
     }
     return next;
 }
 
-/// Traces a few paths from points to learn what they vary by. @param worth  what that may cost,
-/// ns @return whether it was enough for a trial
-bool Engine::try_out(std::span<const std::size_t> points, double worth) {
-    const double samples =
-        worth / (replicates * costs_.sample * static_cast<double>(points.size()));
-    if (samples < fewest_trial_samples)
-        return false;
-    const std::vector<double> found = try_tracing(
-        pilot_scene(),
-        points,
-        std::bit_floor(static_cast<std::size_t>(std::min(samples, most_trial_samples))),
-        replicates);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        traced_variance_[points[k]] = static_cast<float>(found[k]);
-    return true;
+/// Of one unit of LE-MIS at one receiver in one replicate, without the light paths, ns.
+double Engine::own_cost(std::size_t receiver) const noexcept {
+    return costs_.of(effort_.paths, effort_of(receiver), 1)
+           - static_cast<double>(effort_.paths) * costs_.path;
+}
+
+/// Traces a few paths from points to learn what they vary by. Nothing where `worth`, ns, does
+/// not pay for them. @param which  of the points
+void Engine::try_out(std::span<const OpenPoint> points,
+                     std::span<const std::size_t> which,
+                     double worth) {
+    if (which.empty())
+        return;
+    const double affordable =
+        worth / (replicates * costs_.sample * static_cast<double>(which.size()));
+    if (affordable < fewest_trial_samples)
+        return;
+    const auto samples =
+        std::bit_floor(static_cast<std::size_t>(std::min(affordable, most_trial_samples)));
+    std::vector<std::size_t> receivers;
+    for (const std::size_t k : which)
+        receivers.push_back(points[k].receiver);
+    const auto trials = try_tracing(pilot_scene(), receivers, samples, replicates);
+    const auto all = static_cast<double>(samples * replicates);
+    for (std::size_t k = 0; k < which.size(); ++k) {
+        // Light that the trial has missed comes by rare paths: as if the next one brought it.
+        const OpenPoint& p = points[which[k]];
+        const double missing = p.indirect - trials[k].mean;
+        double variance = trials[k].variance;
+        if (missing > 3.0 * std::sqrt(variance / all + p.current.excess * p.allowed)
+            || variance == 0.0)
+            variance = std::max(variance, all * missing * missing);
+        trials_[p.receiver] = static_cast<float>(variance);
+    }
+}
+
+/// What a receiver that changed last had before: its present estimator has nothing yet.
+void Engine::change_back(std::size_t receiver) noexcept {
+    estimators_[receiver] = estimators_[receiver] == PointEstimator::mis
+                                ? PointEstimator::path_tracing
+                                : PointEstimator::mis;
 }
 
 void Engine::fix_counts() {
@@ -279,11 +326,16 @@ PilotScene Engine::pilot_scene() const {
     return scene;
 }
 
-/// Which points are traced: a matter of geometry and of the pilot only, so it biases nothing.
+/// Which points are traced from the beginning: a matter of geometry and of the pilot only, so
+/// it biases nothing.
 void Engine::choose_estimators() {
     estimators_.assign(receivers_.size(), PointEstimator::mis);
     samples_.assign(receivers_.size(), static_cast<std::uint32_t>(effort_.samples));
-    traced_variance_.assign(receivers_.size(), -1.0F);
+    began_.assign(receivers_.size(), unchanged);
+    trials_.assign(receivers_.size(), -1.0F);
+    first_unit_cost_ = replicates * static_cast<double>(effort_.paths) * costs_.path;
+    for (std::size_t i = 0; i < receivers_.size(); ++i)
+        first_unit_cost_ += replicates * own_cost(i);
     for (std::size_t i = 0; i < receivers_.size(); ++i)
         switch (settings_.estimator) {
         case Estimator::local_estimation:
@@ -394,14 +446,20 @@ void Engine::send_rays(const VertexCache& cache,
         for (const std::size_t i : points) {
             const std::size_t samples = traces ? samples_[i] : effort_of(i).directions;
             const bool takes_part = !traces || round < rounds_of(i);
+            // A point that has changed shares no number with what it had before.
+            const bool has_changed = traces && began_[i] != unchanged;
             senders.push_back(
                 {&receivers_[i],
                  clear_[i],
-                 {settings_.seed, StreamPurpose::gather, replicate, i},
+                 {settings_.seed,
+                  has_changed ? StreamPurpose::tracing : StreamPurpose::gather,
+                  replicate,
+                  i},
                  !takes_part ? 0
                  : traces    ? std::min(samples, samples_at_once)
                              : samples,
-                 static_cast<std::uint32_t>(unit * samples + round * samples_at_once),
+                 static_cast<std::uint32_t>((has_changed ? unit - began_[i] : unit) * samples
+                                            + round * samples_at_once),
                  is_within(i, counts_.corner)});
         }
         sums.assign(points.size(), {});

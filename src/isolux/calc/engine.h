@@ -22,8 +22,9 @@ struct ReplicateFlux {
     double escaped = 0.0;
 };
 
-/// Runs units of work on a scene: the same numbers for the same (seed, unit, replicate, point),
-/// whoever calls and in whatever order. Knows nothing of tolerances.
+/// Runs units of work on a scene: between two calls of adapt() the same numbers for the same
+/// (seed, unit, replicate, point), whoever calls and in whatever order. When it is enough is
+/// for the caller to say.
 class Engine {
 public:
     /// Independent randomised replicates behind every error bar (METHODS eq. (15)).
@@ -48,11 +49,11 @@ public:
     /// @param units  done so far
     NextLook adapt(std::span<const OpenPoint> open, std::size_t units);
 
-    /// Per receiver, as given to prepare().
-    [[nodiscard]] PointEstimator estimator_of(std::size_t receiver) const noexcept {
-        return estimators_[receiver];
-    }
+    /// Gives a receiver that the last adapt() changed, and no unit since, back to the estimator
+    /// of before.
+    void change_back(std::size_t receiver) noexcept;
 
+    /// Per receiver, as given to prepare().
     [[nodiscard]] bool is_near_surface(std::size_t receiver) const noexcept {
         return near_surface_[receiver] != 0;
     }
@@ -109,7 +110,10 @@ private:
     [[nodiscard]] PilotScene pilot_scene() const;
     [[nodiscard]] NextLook change_estimators(std::span<const OpenPoint> open,
                                              std::size_t units);
-    bool try_out(std::span<const std::size_t> points, double worth);
+    void try_out(std::span<const OpenPoint> points,
+                 std::span<const std::size_t> which,
+                 double worth);
+    [[nodiscard]] double own_cost(std::size_t receiver) const noexcept;
     [[nodiscard]] std::size_t rounds_of(std::size_t receiver) const noexcept;
     void choose_estimators();
     void fix_counts();
@@ -146,8 +150,10 @@ private:
     std::vector<DirectPlan> plans_;
     std::vector<Point3> clear_; ///< where their rays start
     std::vector<PointEstimator> estimators_;
+    std::vector<std::uint32_t> began_; ///< unit in which a point changed to tracing
+    std::vector<float> trials_;        ///< variance of one traced path, lx2; below 0: not known
+    double first_unit_cost_ = 0.0;     ///< all points and replicates, ns
     std::vector<std::uint32_t> samples_; ///< of a traced point, per replicate and unit
-    std::vector<float> traced_variance_; ///< of one traced path, lx2; below 0: not known
     std::vector<PointClass> classes_;
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;

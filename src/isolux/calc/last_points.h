@@ -16,7 +16,8 @@ struct Advance {
 struct OpenPoint {
     std::size_t receiver = 0;
     bool refines_indirect = true; ///< false: only its direct light needs more
-    double allowed = 0.0;         ///< variance that its indirect light may have, lx2
+    double indirect = 0.0;        ///< its present indirect light, lx
+    double allowed = 0.0;         ///< variance that this may have, lx2
     Advance current;              ///< of the estimator that serves it now
     Advance parked;               ///< of the one that did before
 };
@@ -35,7 +36,7 @@ struct NextLook {
                                       ///< takes over
 };
 
-/// What an estimator still needs over what it has had, in units of work: METHODS eq. (124).
+/// What an estimator still needs over what it has had: METHODS eq. (124).
 [[nodiscard]] double share_missing(const Advance& a) noexcept;
 
 /// Which points path tracing finishes for less: the light paths of LE-MIS cost the same however

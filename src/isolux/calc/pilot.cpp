@@ -279,10 +279,10 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     return pilot;
 }
 
-std::vector<double> try_tracing(const PilotScene& task,
-                                std::span<const std::size_t> receivers,
-                                std::size_t samples,
-                                std::size_t replicates) {
+std::vector<TracingTrial> try_tracing(const PilotScene& task,
+                                      std::span<const std::size_t> receivers,
+                                      std::size_t samples,
+                                      std::size_t replicates) {
     std::vector<double> values(receivers.size() * replicates); // [receiver][replicate]
     const std::size_t tiles = (receivers.size() + tile - 1) / tile;
     for_each_index(tiles * replicates, 1, [&](std::size_t k) {
@@ -307,12 +307,14 @@ std::vector<double> try_tracing(const PilotScene& task,
         for (std::size_t p = begin; p < end; ++p)
             values[p * replicates + r] = luminance_sum(sums[p - begin]);
     });
-    std::vector<double> variances;
-    for (std::size_t p = 0; p < receivers.size(); ++p)
-        variances.push_back(
-            static_cast<double>(samples)
-            * variance_of(std::span(values).subspan(p * replicates, replicates)));
-    return variances;
+    std::vector<TracingTrial> trials(receivers.size());
+    for (std::size_t p = 0; p < receivers.size(); ++p) {
+        const auto own = std::span(values).subspan(p * replicates, replicates);
+        for (const double v : own)
+            trials[p].mean += v / static_cast<double>(replicates);
+        trials[p].variance = static_cast<double>(samples) * variance_of(own);
+    }
+    return trials;
 }
 
 } // namespace isolux

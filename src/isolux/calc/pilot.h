@@ -55,11 +55,17 @@ struct Pilot {
 
 [[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);
 
-/// Variance of one traced path of each of some receivers, lx2, from `samples` of each of
-/// `replicates` replicates that no result uses.
-[[nodiscard]] std::vector<double> try_tracing(const PilotScene& task,
-                                              std::span<const std::size_t> receivers,
-                                              std::size_t samples,
-                                              std::size_t replicates);
+/// What a trial of path tracing found at a receiver.
+struct TracingTrial {
+    double mean = 0.0;     ///< lx
+    double variance = 0.0; ///< of one path, lx2
+};
+
+/// Traces `samples` paths of each of some receivers in each of `replicates` replicates that no
+/// result uses.
+[[nodiscard]] std::vector<TracingTrial> try_tracing(const PilotScene& task,
+                                                    std::span<const std::size_t> receivers,
+                                                    std::size_t samples,
+                                                    std::size_t replicates);
 
 } // namespace isolux

@@ -85,8 +85,7 @@ private:
         return true;
     }
 
-    /// Pictures that are filtered along surfaces, or wanted to a tolerance, get their samples
-    /// where they are needed.
+    /// Pictures that are filtered along surfaces get their samples where they are needed.
     void make_plan(double samples) {
         passes_ = static_cast<std::uint32_t>(samples);
         wanted_ = samples * static_cast<double>(setup_.size.pixels());

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "isolux/base/parallel.h"
@@ -55,7 +54,7 @@ public:
                                                              picture_replicates);
             // Nor do they know how little the filter leaves of it, and nothing of what edges
             // need: these get the mean at least.
-            const auto of_edge = static_cast<std::uint16_t>(step * std::round(mean / step));
+            const auto of_edge = static_cast<std::uint16_t>(step * std::floor(mean / step));
             if (!is_direct_only())
                 for (std::size_t i = 0; i < n.size(); ++i)
                     if (need_.edge[i])

@@ -44,7 +44,7 @@ void allocate(IndirectLayer& indirect, std::size_t pixels) {
     indirect.b.assign(pixels, 0.0F);
     indirect.z_min.assign(pixels, std::numeric_limits<float>::infinity());
     indirect.z_max.assign(pixels, 0.0F);
-    indirect.variance.assign(pixels, 0.0F);
+    indirect.variance.assign(pixels, -1.0F);
 }
 
 } // namespace

@@ -13,7 +13,8 @@ enum class StreamPurpose : std::uint32_t {
     direct,
     selection,
     pilot,
-    test
+    test,
+    tracing ///< of points that change to it
 };
 
 /// Four 32-bit words of the counter-based generator Philox 4x32-10: a keyed bijection of the

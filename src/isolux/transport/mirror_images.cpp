@@ -20,12 +20,15 @@ bool is_mirror(const Material& m) noexcept {
     return true;
 }
 
-/// Panes reflect 0.08 where light falls straight on them, more at an angle.
-constexpr double pane_strength = 0.1;
+/// A pane of glass reflects 0.08 where light falls straight on it, more at an angle.
+constexpr double least_pane_strength = 0.1;
 
 double strength_of(const Material& m) noexcept {
-    const auto* opaque = std::get_if<Opaque>(&m.scattering);
-    return opaque != nullptr ? opaque->mirror : pane_strength;
+    if (const auto* opaque = std::get_if<Opaque>(&m.scattering))
+        return opaque->mirror;
+    const double n = std::get<ClearPane>(m.scattering).refractive_index;
+    const double face = std::pow((n - 1.0) / (n + 1.0), 2);
+    return std::max(least_pane_strength, 2.0 * face / (1.0 + face));
 }
 
 bool same_plane(const MirrorImages::Mirror& m,

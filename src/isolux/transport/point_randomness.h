@@ -31,7 +31,7 @@ public:
                                     std::uint32_t dimension) const noexcept {
         if (dimension < nets)
             return sobol_owen(index, dimension, scramble_[dimension]);
-        return tail_.uniform(receiver_, (index << 11U) + dimension);
+        return tail_.uniform(item(index), (index << 11U) + dimension);
     }
 
     /// Dimensions of the nets; a sample's later draws come four at a time.
@@ -40,12 +40,17 @@ public:
     /// Draws 4 block, ..., 4 block + 3 of a sample. @pre 4 block >= nets
     [[nodiscard]] std::array<double, 4> four(std::uint32_t index,
                                              std::uint32_t block) const noexcept {
-        return tail_.uniform4(receiver_, (index << 9U) + block);
+        return tail_.uniform4(item(index), (index << 9U) + block);
     }
 
 private:
     // A sample may use 2^11 numbers before it meets those of the next one.
     static constexpr std::uint32_t first_scramble = 0xffffff00U;
+
+    /// The bits of a large sample number that the dimension has no room for.
+    [[nodiscard]] std::uint64_t item(std::uint32_t index) const noexcept {
+        return receiver_ + (std::uint64_t{index >> 21U} << 40U);
+    }
 
     RandomStream tail_{0, StreamPurpose::gather, 0};
     std::uint64_t receiver_ = 0;
