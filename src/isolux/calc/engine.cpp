@@ -35,8 +35,8 @@ constexpr std::size_t study_paths = 512;
 constexpr std::size_t study_samples = 8; ///< pairs of subpaths of a bidirectional unit
 constexpr std::uint32_t study_replicate = 0xfffffeU;
 
-/// A trial of path tracing may cost this share of what the points' own estimator still needs;
-/// it takes so many paths of a point and replicate.
+/// A trial of path tracing may cost this share of what the points' own estimator still needs,
+/// and no more than half of the work so far; it takes so many paths of a point and replicate.
 constexpr double worth_a_trial = 0.1;
 constexpr double fewest_trial_samples = 16.0;
 constexpr double most_trial_samples = 1024.0;
@@ -159,7 +159,10 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
         finishes.push_back(f);
     }
     cost += most * paths_cost;
-    try_out(points, unknown, worth_a_trial * cost);
+    try_out(
+        points,
+        unknown,
+        std::min(worth_a_trial * cost, 0.5 * static_cast<double>(units) * first_unit_cost_));
     const auto samples_for = [&](const OpenPoint& p) { // of one replicate, from the beginning
         return doubt * static_cast<double>(trials_[p.receiver]) / (runs * p.allowed);
     };

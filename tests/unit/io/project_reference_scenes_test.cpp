@@ -94,6 +94,7 @@ void expect_illuminances(const std::string& text, const std::string& name) {
         ASSERT_EQ(groups.size(), results.surfaces.size());
         for (std::size_t g = 0; g < groups.size(); ++g) {
             double ratio = 0.0;
+            double own = 0.0;
             const auto& points = results.surfaces[g].points;
             for (std::size_t p = 0; p < points.size(); ++p) {
                 const double lux = groups[g].find("lux")->items[p].number;
@@ -103,8 +104,10 @@ void expect_illuminances(const std::string& text, const std::string& name) {
                 EXPECT_LT(std::abs(z), 6.0)
                     << name << " point " << p << ": " << e.mean << ", " << lux;
                 ratio += e.mean / lux / static_cast<double>(points.size());
-                squares[g] += z * z / static_cast<double>(runs * points.size());
+                own += z * z / static_cast<double>(points.size());
             }
+            squares[g] += own / runs;
+            EXPECT_LT(std::sqrt(own), 1.8) << name << " run " << run;
             EXPECT_NEAR(ratio, 1.0, 2e-3) << name;
         }
     }
