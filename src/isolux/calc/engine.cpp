@@ -1,7 +1,6 @@
 #include "isolux/calc/engine.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -34,36 +33,6 @@ constexpr double too_near = 1e-3;
 constexpr std::size_t study_paths = 512;
 constexpr std::size_t study_samples = 8; ///< pairs of subpaths of a bidirectional unit
 constexpr std::uint32_t study_replicate = 0xfffffeU;
-
-/// A trial of path tracing may cost this share of what the points' own estimator still needs,
-/// and no more than half of the work so far; it takes so many paths of a point and replicate.
-constexpr double worth_a_trial = 0.1;
-constexpr double fewest_trial_samples = 16.0;
-constexpr double most_trial_samples = 1024.0;
-
-/// Traced paths are worth more than a trial of a few says they need.
-constexpr double doubt = 1.5;
-
-/// Traced paths of a point, replicate and unit, and how many of them are on their way at once.
-constexpr double most_samples = 1U << 14U;
-constexpr std::size_t samples_at_once = 256;
-
-/// A power of two, or a multiple of samples_at_once: blocks of whole nets.
-std::uint32_t whole_rounds(double samples) noexcept {
-    const auto wanted =
-        static_cast<std::uint32_t>(std::ceil(std::clamp(samples, 4.0, most_samples)));
-    if (wanted <= samples_at_once)
-        return std::bit_ceil(wanted);
-    const auto round = static_cast<std::uint32_t>(samples_at_once);
-    return (wanted + round - 1) / round * round;
-}
-
-/// Those that begin to trace make a unit at most so many times as long as the first ones were:
-/// who stops in between loses no more.
-constexpr double longest_unit = 4.0;
-
-/// In place of the unit in which a point changed to tracing.
-constexpr std::uint32_t unchanged = ~0U;
 
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
 double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
@@ -102,152 +71,6 @@ std::string in_millimetres(double metres) {
 Engine::Engine(const Scene& scene, const Settings& settings)
     : scene_(&scene), settings_(settings), emission_(scene), images_(scene),
       direct_(scene, emission_, images_) {}
-
-NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
-    const NextLook next = change_estimators(open, units);
-    SharedTask task{{}, pilot_.of_class, costs_};
-    for (const OpenPoint& p : open)
-        if (p.refines_indirect && takes_paths(estimators_[p.receiver]))
-            ++task.points[static_cast<std::size_t>(classes_[p.receiver])];
-    needs_paths_ = !settings_.direct_only && task.all() > 0;
-    if (!needs_paths_)
-        return next;
-    // More for each of few points; never less, so that no number is drawn twice.
-    const Effort balanced = balance_effort(task, effort_.paths);
-    for (std::size_t c = 0; c < point_classes; ++c) {
-        PointEffort& e = effort_.at[c];
-        e.draws = std::max(e.draws, balanced.at[c].draws);
-        e.directions = std::max(e.directions, balanced.at[c].directions);
-        e.looks = std::max(e.looks, balanced.at[c].looks);
-    }
-    return next;
-}
-
-/// Who finishes the open points for less, METHODS eq. (124).
-NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t units) {
-    NextLook next{units, {}};
-    if (settings_.estimator != Estimator::automatic || settings_.direct_only)
-        return next;
-    constexpr auto runs = static_cast<double>(replicates);
-    constexpr double never = 1e300; // ns
-    const double paths_cost = runs * static_cast<double>(effort_.paths) * costs_.path;
-    std::vector<OpenPoint> points;
-    std::vector<Finish> finishes;
-    std::vector<std::size_t> unknown; // what tracing them costs: numbers into `points`
-    double cost = 0.0;
-    double most = 0.0;
-    for (const OpenPoint& p : open) {
-        const std::size_t i = p.receiver;
-        const bool traces = estimators_[i] == PointEstimator::path_tracing;
-        if (!p.refines_indirect || (traces && p.parked.units == 0))
-            continue; // or traced from the beginning
-        const Advance& shared = traces ? p.parked : p.current;
-        const Advance& traced = traces ? p.current : p.parked;
-        Finish f;
-        f.units = static_cast<double>(shared.units) * share_missing(shared);
-        f.unit_cost = runs * own_cost(i);
-        if (traced.units > 0)
-            f.traced = runs * static_cast<double>(traced.units * samples_[i]) * costs_.sample
-                       * share_missing(traced);
-        else if (trials_[i] < 0.0F)
-            unknown.push_back(points.size());
-        if (traces && traced.excess == 0.0)
-            f.traced = never; // it has seen nothing yet
-        cost += f.units * f.unit_cost;
-        most = std::max(most, f.units);
-        points.push_back(p);
-        finishes.push_back(f);
-    }
-    cost += most * paths_cost;
-    try_out(
-        points,
-        unknown,
-        std::min(worth_a_trial * cost, 0.5 * static_cast<double>(units) * first_unit_cost_));
-    const auto samples_for = [&](const OpenPoint& p) { // of one replicate, from the beginning
-        return doubt * static_cast<double>(trials_[p.receiver]) / (runs * p.allowed);
-    };
-    for (std::size_t k = 0; k < points.size(); ++k)
-        if (finishes[k].traced == 0.0)
-            finishes[k].traced =
-                trials_[points[k].receiver] < 0.0F
-                    ? never
-                    : runs * std::max(samples_for(points[k]), 4.0) * costs_.sample;
-    std::vector<PointEstimator> chosen(points.size(), PointEstimator::mis);
-    for (const std::size_t k : choose_traced(finishes, paths_cost))
-        chosen[k] = PointEstimator::path_tracing;
-    // The light paths are dear: no more of them than the points that need them most ask for.
-    double wanted = 0.0;
-    for (std::size_t k = 0; k < points.size(); ++k)
-        if (chosen[k] == PointEstimator::mis)
-            wanted = std::max({wanted, finishes[k].units, 0.25 * static_cast<double>(units)});
-    if (wanted > 0.0)
-        next.units = std::min(units, static_cast<std::size_t>(std::ceil(wanted)));
-    const auto begins = [&](std::size_t k) {
-        return chosen[k] == PointEstimator::path_tracing && points[k].parked.units == 0;
-    };
-    double beginners = 0.0; // cost of a unit of theirs
-    for (std::size_t k = 0; k < points.size(); ++k)
-        if (begins(k))
-            beginners += finishes[k].traced / static_cast<double>(next.units);
-    const double fits =
-        beginners > 0.0 ? std::min(1.0, longest_unit * first_unit_cost_ / beginners) : 1.0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const std::size_t i = points[k].receiver;
-        if (chosen[k] == estimators_[i])
-            continue;
-        if (begins(k)) { // a second turn goes on with the numbers of the first
-            samples_[i] =
-                whole_rounds(fits * samples_for(points[k]) / static_cast<double>(next.units));
-            began_[i] = static_cast<std::uint32_t>(units);
-        }
-        estimators_[i] = chosen[k];
-        next.changed.push_back(i);
-    }
-    return next;
-}
-
-/// Of one unit of LE-MIS at one receiver in one replicate, without the light paths, ns.
-double Engine::own_cost(std::size_t receiver) const noexcept {
-    return costs_.of(effort_.paths, effort_of(receiver), 1)
-           - static_cast<double>(effort_.paths) * costs_.path;
-}
-
-/// Traces a few paths from points to learn what they vary by. Nothing where `worth`, ns, does
-/// not pay for them. @param which  of the points
-void Engine::try_out(std::span<const OpenPoint> points,
-                     std::span<const std::size_t> which,
-                     double worth) {
-    if (which.empty())
-        return;
-    const double affordable =
-        worth / (replicates * costs_.sample * static_cast<double>(which.size()));
-    if (affordable < fewest_trial_samples)
-        return;
-    const auto samples =
-        std::bit_floor(static_cast<std::size_t>(std::min(affordable, most_trial_samples)));
-    std::vector<std::size_t> receivers;
-    for (const std::size_t k : which)
-        receivers.push_back(points[k].receiver);
-    const auto trials = try_tracing(pilot_scene(), receivers, samples, replicates);
-    const auto all = static_cast<double>(samples * replicates);
-    for (std::size_t k = 0; k < which.size(); ++k) {
-        // Light that the trial has missed comes by rare paths: as if the next one brought it.
-        const OpenPoint& p = points[which[k]];
-        const double missing = p.indirect - trials[k].mean;
-        double variance = trials[k].variance;
-        if (missing > 3.0 * std::sqrt(variance / all + p.current.excess * p.allowed)
-            || variance == 0.0)
-            variance = std::max(variance, all * missing * missing);
-        trials_[p.receiver] = static_cast<float>(variance);
-    }
-}
-
-/// What a receiver that changed last had before: its present estimator has nothing yet.
-void Engine::change_back(std::size_t receiver) noexcept {
-    estimators_[receiver] = estimators_[receiver] == PointEstimator::mis
-                                ? PointEstimator::path_tracing
-                                : PointEstimator::mis;
-}
 
 void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
@@ -459,7 +282,7 @@ void Engine::send_rays(const VertexCache& cache,
                   replicate,
                   i},
                  !takes_part ? 0
-                 : traces    ? std::min(samples, samples_at_once)
+                 : traces    ? std::min<std::size_t>(samples, samples_at_once)
                              : samples,
                  static_cast<std::uint32_t>((has_changed ? unit - began_[i] : unit) * samples
                                             + round * samples_at_once),

@@ -95,6 +95,12 @@ public:
     [[nodiscard]] std::vector<Message> notices() const;
 
 private:
+    /// In place of the unit in which a point changed to tracing.
+    static constexpr std::uint32_t unchanged = ~0U;
+
+    /// Traced paths of a point and replicate that are on their way at once.
+    static constexpr std::uint32_t samples_at_once = 256;
+
     void find_surroundings();
     [[nodiscard]] double corner_of(double paths) const noexcept;
 
