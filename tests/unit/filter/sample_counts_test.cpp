@@ -81,6 +81,7 @@ TEST(SampleCounts, DoNotForgetEdgesOfSurfaces) {
 TEST(SampleCounts, OfReflectedLightAverageThePilotOverNeighbours) {
     PixelBuffers buffers = make_floor_buffers({30, 30}, 0.01);
     std::fill(buffers.indirect.z_min.begin(), buffers.indirect.z_min.end(), 1.0F);
+    std::fill(buffers.indirect.variance.begin(), buffers.indirect.variance.end(), 0.0F);
     buffers.indirect.variance[15 * 30 + 15] = 81.0F; // one rare bright sample
     const FilterSites sites =
         make_indirect_sites(buffers.geometry, buffers.size, buffers.indirect, picture_filter());
