@@ -142,24 +142,31 @@ Scene corner() {
     return b.build();
 }
 
+/// Mean luminance of a view by sight lines through its pixels, per_side² in each, cd/m2.
+double mean_along_sight_lines(const Scene& scene,
+                              const View& view,
+                              int per_side,
+                              const Settings& settings) {
+    std::vector<SightLine> lines;
+    const CameraRays rays(view.camera);
+    for (std::size_t row = 0; row < view.camera.rows; ++row)
+        for (std::size_t column = 0; column < view.camera.columns; ++column)
+            for (int k = 0; k < per_side * per_side; ++k)
+                lines.push_back(*rays.sight_line(
+                    static_cast<double>(column) + (k % per_side + 0.5) / per_side,
+                    static_cast<double>(row) + (k / per_side + 0.5) / per_side));
+    double mean = 0.0;
+    for (const LuminanceResult& r : estimate_luminances(scene, lines, settings).rays)
+        mean += r.total.mean / static_cast<double>(lines.size());
+    return mean;
+}
+
 TEST(RenderedPicture, AgreesWithTheLuminanceOfItsSightLines) {
     const Scene scene = corner();
     const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 6, 4);
-    // sight lines through the pixels, as dense as can be paid for
-    std::vector<SightLine> lines;
-    const CameraRays rays(view.camera);
-    constexpr int per_side = 4;
-    for (std::size_t i = 0; i < 24; ++i)
-        for (int k = 0; k < per_side * per_side; ++k)
-            lines.push_back(
-                *rays.sight_line(static_cast<double>(i % 6) + (k % per_side + 0.5) / per_side,
-                                 static_cast<double>(i / 6) + (k / per_side + 0.5) / per_side));
     Settings settings;
     settings.fixed_units = 1;
-    const LuminanceResults exact = estimate_luminances(scene, lines, settings);
-    double mean = 0.0;
-    for (const LuminanceResult& r : exact.rays)
-        mean += r.total.mean / static_cast<double>(lines.size());
+    const double mean = mean_along_sight_lines(scene, view, 4, settings);
     const Estimate e = test::over_seeds([&](std::size_t s) {
         return mean_of(render(scene, view, settings_of(4, PictureFilter::none, s + 1)));
     });
@@ -180,20 +187,10 @@ TEST(RenderedPicture, SharesALayerAmongManyLuminaires) {
     const View view = view_of({1.5, -1.2, 1.8}, {0, 0, 0.3}, 40.0, 7, 5);
     RenderSettings settings = settings_of(64, PictureFilter::none);
     settings.direct_only = true;
-    std::vector<SightLine> lines;
-    const CameraRays rays(view.camera);
-    constexpr int per_side = 16;
-    for (std::size_t i = 0; i < 35; ++i)
-        for (int k = 0; k < per_side * per_side; ++k)
-            lines.push_back(
-                *rays.sight_line(static_cast<double>(i % 7) + (k % per_side + 0.5) / per_side,
-                                 static_cast<double>(i / 7) + (k / per_side + 0.5) / per_side));
     Settings exact_settings;
     exact_settings.fixed_units = 1;
     exact_settings.direct_only = true;
-    double exact = 0.0;
-    for (const LuminanceResult& r : estimate_luminances(scene, lines, exact_settings).rays)
-        exact += r.total.mean / static_cast<double>(lines.size());
+    const double exact = mean_along_sight_lines(scene, view, 16, exact_settings);
     const Estimate e = test::over_seeds([&](std::size_t s) {
         settings.seed = s + 1;
         return mean_of(render(scene, view, settings));

@@ -11,12 +11,7 @@ void PilotLook::look() {
     thread_local EyePath path;
     for (std::uint32_t s = 0; s < wanted; ++s) {
         NumberSequence numbers(random_, s);
-        const double u = numbers.next();
-        const double v = numbers.next();
-        const double lens_u = numbers.next();
-        const double lens_v = numbers.next();
-        const auto line = setup_.camera.sight_line(
-            static_cast<double>(column_) + u, static_cast<double>(row_) + v, lens_u, lens_v);
+        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
         ++asked_;
         if (!line)
             continue;

@@ -61,12 +61,7 @@ public:
         const PointRandomness random(
             setup_.settings.seed, StreamPurpose::selection, replicate_, pixel_);
         NumberSequence numbers(random, unit_);
-        const double u = numbers.next();
-        const double v = numbers.next();
-        const double lens_u = numbers.next();
-        const double lens_v = numbers.next();
-        const auto line = setup_.camera.sight_line(
-            static_cast<double>(column_) + u, static_cast<double>(row_) + v, lens_u, lens_v);
+        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
         ++sums_.passes[pixel_];
         if (!line)
             return;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "isolux/calc/render.h"
@@ -112,6 +113,13 @@ void add_samples(const ViewSetup& setup,
                  const PilotPlanes& pilot,
                  PixelBuffers& buffers,
                  PictureSums& sums);
+
+/// A ray through a pixel, spending a sample's first four numbers: two in the pixel, two on the
+/// lens. Nothing outside a fisheye's circle.
+[[nodiscard]] std::optional<SightLine> sight_line_of(const CameraRays& camera,
+                                                     std::size_t column,
+                                                     std::size_t row,
+                                                     NumberSequence& numbers) noexcept;
 
 /// The surface an eye's path shows first, mirrors left out; nothing where there is none.
 [[nodiscard]] const SeenSurface* primary_of(const EyePath& path) noexcept;

@@ -163,6 +163,18 @@ build_caches(const ViewSetup& setup, std::uint32_t replicate, std::uint64_t unit
     return caches;
 }
 
+std::optional<SightLine> sight_line_of(const CameraRays& camera,
+                                       std::size_t column,
+                                       std::size_t row,
+                                       NumberSequence& numbers) noexcept {
+    const double u = numbers.next();
+    const double v = numbers.next();
+    const double lens_u = numbers.next();
+    const double lens_v = numbers.next();
+    return camera.sight_line(
+        static_cast<double>(column) + u, static_cast<double>(row) + v, lens_u, lens_v);
+}
+
 const SeenSurface* primary_of(const EyePath& path) noexcept {
     for (const SeenSurface& s : path.surfaces)
         if (s.reflections == 0)
