@@ -18,6 +18,13 @@ namespace {
 constexpr std::uint32_t unshadowed_samples = 4; ///< per replicate, where no value is known
 constexpr std::uint32_t shadowed_samples = 4;   ///< per replicate, in a penumbra
 
+/// Samples of one luminaire in the image that a chain of mirrors makes of it, per replicate:
+/// fewer where little of it is reflected.
+std::uint32_t samples_of_image(double strength) noexcept {
+    return static_cast<std::uint32_t>(
+        std::ceil(std::clamp(strength * shadowed_samples, 1.0, 1.0 * shadowed_samples)));
+}
+
 /// The tail takes its numbers as if it were this luminaire.
 constexpr std::size_t tail_luminaire = 0xffffffU;
 
@@ -121,8 +128,8 @@ double DirectLight::samples_of(const DirectPlan& plan) const noexcept {
     for (const DirectPlan::Opening& o : plan.openings)
         sum += looks_at(o)
                + (o.unshadowed < 0.0 && o.visible_share > 0.0F ? unshadowed_samples : 0U);
-    if (samples_images_)
-        sum += images_->chains().size() * emission_->luminaires() * shadowed_samples;
+    for (std::size_t c = 0; samples_images_ && c < images_->chains().size(); ++c)
+        sum += emission_->luminaires() * samples_of_image(images_->strength(c));
     return static_cast<double>(sum);
 }
 
@@ -254,7 +261,8 @@ void DirectLight::add_images(const Task& task,
             for (std::size_t r = 0; r < ledger.total.size(); ++r) {
                 const auto numbers = task.pair(
                     l, task.first_replicate + static_cast<std::uint32_t>(r), 0, c + 1);
-                const std::uint32_t samples = task.looks * shadowed_samples;
+                const std::uint32_t samples =
+                    task.looks * samples_of_image(images_->strength(c));
                 double sum = 0.0;
                 for (std::uint32_t i = 0; i < samples; ++i)
                     sum += image_light(*scene_,

@@ -107,6 +107,7 @@ private:
                       std::uint32_t luminaire,
                       DirectPlan& plan,
                       std::uint64_t& rays) const;
+    void know_openings(const Task& task, DirectPlan& plan) const;
     void plan_images(const Task& task, DirectPlan& plan, std::uint64_t& rays) const;
     void add_opening(const Task& task,
                      const DirectPlan::Opening& opening,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <queue>
+#include <utility>
 
 #include "isolux/transport/direct_task.h"
 #include "isolux/transport/local_estimator.h"
@@ -14,6 +15,13 @@ namespace {
 /// An opening smaller than the distance by this factor counts as a point: the error of that is
 /// below 1 / (4 x 40^2) = 0.016 % (METHODS "Point model").
 constexpr double point_like_ratio = 40.0;
+
+/// What the light of openings without shadows may be wrong by beside all light from openings,
+/// once for each by itself and once for all of them together: METHODS eq. (134).
+constexpr double rule_error = 1e-4;
+
+/// More than any light: the first two rules agree.
+constexpr double anything = 1e300;
 
 /// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked
 /// at one by one.
@@ -108,6 +116,7 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
         else
             plan_opening(task, l, plan, rays);
     }
+    know_openings(task, plan);
     plan_points(task, points, plan, rays);
     plan_images(task, plan, rays);
     return plan;
@@ -181,20 +190,18 @@ bool DirectLight::is_wholly_visible(std::size_t luminaire, const Point3& clear) 
     return true;
 }
 
+/// What is seen of an opening. Its light without shadows is a rough value, 0 where none is
+/// known; know_openings() needs it to tell what is worth knowing better.
 void DirectLight::plan_opening(const Task& task,
                                std::uint32_t luminaire,
                                DirectPlan& plan,
                                std::uint64_t& rays) const {
     const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, luminaire);
-    const std::optional<double> unshadowed = light.unshadowed();
-    if (unshadowed && *unshadowed <= 0.0)
+    const std::optional<double> rough = light.unshadowed(anything);
+    if (rough && *rough <= 0.0)
         return;
-    DirectPlan::Opening opening{luminaire, 1.0F, false, unshadowed.value_or(-1.0)};
+    DirectPlan::Opening opening{luminaire, 1.0F, false, rough.value_or(0.0)};
     opening.is_clear = is_wholly_visible(luminaire, task.clear);
-    if (opening.is_clear && unshadowed) {
-        task.keep(plan, luminaire, *unshadowed * emission_->colour(luminaire));
-        return;
-    }
     if (!opening.is_clear) {
         // Pilot: which share of the opening is visible. It only steers.
         std::array<SightSegment, packet_size> segments;
@@ -222,6 +229,31 @@ void DirectLight::plan_opening(const Task& task,
             wanted != 0 ? seen / static_cast<float>(std::popcount(wanted)) : 0.0F;
     }
     plan.openings.push_back(opening);
+}
+
+/// Takes the openings' light without shadows as well as it matters beside all of it, METHODS
+/// eq. (134); what is then known without a ray leaves the openings.
+void DirectLight::know_openings(const Task& task, DirectPlan& plan) const {
+    double total = 0.0;
+    double count = 0.0;
+    for (const DirectPlan::Opening& o : plan.openings)
+        if (o.visible_share > 0.0F) {
+            total += static_cast<double>(o.visible_share) * o.unshadowed;
+            count += 1.0;
+        }
+    std::erase_if(plan.openings, [&](DirectPlan::Opening& o) {
+        const double rough = std::exchange(o.unshadowed, -1.0);
+        if (o.visible_share <= 0.0F)
+            return false; // nothing is taken of it
+        const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, o.luminaire);
+        const std::optional<double> known =
+            light.unshadowed(rule_error * (rough + total / count));
+        o.unshadowed = known.value_or(-1.0);
+        if (!o.is_clear || !known)
+            return false;
+        task.keep(plan, o.luminaire, *known * emission_->colour(o.luminaire));
+        return true;
+    });
 }
 
 void DirectLight::plan_images(const Task& task, DirectPlan& plan, std::uint64_t& rays) const {

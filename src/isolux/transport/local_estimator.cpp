@@ -173,6 +173,14 @@ void draw_vertices(const VertexCache& cache,
         const bool is_lit = sum.total() > 0.0;
         const double step = sum.total() / static_cast<double>(points[p].draws);
         const double share = step / static_cast<double>(cache.paths);
+        // Found first, read later: the vertices lie anywhere in memory.
+        for (std::size_t k = 0; is_lit && k < points[p].draws; ++k) {
+            const double target = (static_cast<double>(k) + points[p].offset) * step;
+            LocalDraw& draw = s.draws[s.rounds[k]];
+            draw.vertex = cache.vertex_at[sum.find(target)];
+            __builtin_prefetch(&cache.vertices[draw.vertex].position);
+            __builtin_prefetch(&cache.vertices[draw.vertex].radiant);
+        }
         for (std::size_t k = 0; k < points[p].draws; ++k) {
             const std::size_t place = s.rounds[k]++;
             LocalDraw& draw = s.draws[place];
@@ -180,8 +188,6 @@ void draw_vertices(const VertexCache& cache,
             s.segments[place] = {points[p].at, points[p].at};
             if (!is_lit)
                 continue;
-            const double target = (static_cast<double>(k) + points[p].offset) * step;
-            draw.vertex = cache.vertex_at[sum.find(target)];
             const PathVertex& v = cache.vertices[draw.vertex];
             draw.light = (share / luminance_sum(v.radiant)) * v.radiant;
             s.segments[place].b = v.position;

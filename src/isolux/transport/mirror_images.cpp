@@ -103,6 +103,7 @@ MirrorImages::MirrorImages(const Scene& scene) {
         for (const std::uint32_t m : chain)
             strength *= mirrors_[m].strength;
         sum += strength;
+        strengths_.push_back(strength);
         cumulative_.push_back(sum);
     }
     for (double& c : cumulative_)

@@ -46,6 +46,11 @@ public:
         return chains_;
     }
 
+    /// Product of the strengths of a chain's mirrors.
+    [[nodiscard]] double strength(std::size_t chain) const noexcept {
+        return strengths_[chain];
+    }
+
     /// A chain for one sample, or none; strong ones are drawn more often, METHODS eq. (125).
     struct DrawnChain {
         const std::vector<std::uint32_t>* chain = nullptr; ///< null: none
@@ -60,6 +65,7 @@ public:
     }
 
 private:
+    std::vector<double> strengths_;  ///< of the chains
     std::vector<double> cumulative_; ///< probabilities of the chains; the last is at most 1
     std::vector<Mirror> mirrors_;
     std::vector<std::size_t> mirror_of_triangle_;

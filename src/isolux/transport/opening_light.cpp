@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "isolux/base/polygon.h"
 #include "isolux/transport/response.h"
@@ -22,7 +23,7 @@ constexpr double least_clearance = 1e-3;
 /// Two rules in a row that agree to this share are believed.
 constexpr double agreement = 2e-5;
 
-constexpr std::array<std::size_t, 6> orders{2, 3, 4, 6, 9, 12};
+constexpr std::array<std::size_t, 8> orders{2, 3, 4, 6, 9, 12, 18, 27};
 
 /// A rule's points stand no farther apart than this, rad, as seen from the receiver: about the
 /// step of a table, so that no beam hides between them.
@@ -120,7 +121,7 @@ double OpeningLight::value(const Look& look) const noexcept {
                          : 0.0;
 }
 
-std::optional<double> OpeningLight::unshadowed() const noexcept {
+std::optional<double> OpeningLight::unshadowed(double negligible) const noexcept {
     const Luminaire& l = emission_->luminaire(luminaire_);
     const Opening& opening = l.opening;
     if (opening.form == OpeningForm::point)
@@ -139,7 +140,8 @@ std::optional<double> OpeningLight::unshadowed() const noexcept {
         const Facet& facet = opening.facets[f];
         if (!is_flat && dot(facet.normal, at_ - facet.vertices.front()) <= 0.0)
             continue;
-        const std::optional<double> part = integrate(f);
+        const std::optional<double> part =
+            integrate(f, negligible / static_cast<double>(opening.facets.size()));
         if (!part)
             return std::nullopt;
         sum += *part;
@@ -147,7 +149,8 @@ std::optional<double> OpeningLight::unshadowed() const noexcept {
     return sum;
 }
 
-std::optional<double> OpeningLight::integrate(std::size_t facet) const noexcept {
+std::optional<double> OpeningLight::integrate(std::size_t facet,
+                                              double negligible) const noexcept {
     const Luminaire& l = emission_->luminaire(luminaire_);
     const std::vector<Point3>& vertices = l.opening.facets[facet].vertices;
     if (is_planar(*receiver_)) {
@@ -168,17 +171,21 @@ std::optional<double> OpeningLight::integrate(std::size_t facet) const noexcept 
     std::size_t first = 1;
     while (first < orders.size() && widest_step * static_cast<double>(orders[first]) < extent)
         ++first;
-    double before = integrate(facet, orders[first - 1]);
+    // Two rules may agree by chance; three rarely do.
+    constexpr double coarser = 4.0; // the first of them
+    double before = apply_rule(facet, orders[first - 1]);
+    double change = 1e300;
     for (std::size_t i = first; i < orders.size(); ++i) {
-        const double now = integrate(facet, orders[i]);
-        if (std::abs(now - before) <= agreement * now)
+        const double now = apply_rule(facet, orders[i]);
+        const double last_change = std::exchange(change, std::abs(now - before));
+        if (std::max(change, last_change / coarser) <= std::max(agreement * now, negligible))
             return now;
         before = now;
     }
     return std::nullopt;
 }
 
-double OpeningLight::integrate(std::size_t facet, std::size_t order) const noexcept {
+double OpeningLight::apply_rule(std::size_t facet, std::size_t order) const noexcept {
     const std::vector<Point3>& p =
         emission_->luminaire(luminaire_).opening.facets[facet].vertices;
     const Rule& rule = rule_of(order);

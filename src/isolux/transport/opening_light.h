@@ -32,14 +32,16 @@ public:
     [[nodiscard]] double value(const Look& look) const noexcept;
 
     /// The illuminance without shadows, lx, where it is known: (12) for a Lambertian panel on a
-    /// plane, otherwise by Gauss-Legendre rules of growing order that agree to 2e-5 (METHODS
+    /// plane, otherwise by Gauss-Legendre rules of growing order that agree (METHODS
     /// "Openings with a photometric table"). Nothing where they do not, or where the receiver's
     /// horizon cuts the opening.
-    [[nodiscard]] std::optional<double> unshadowed() const noexcept;
+    /// @param negligible  two rules agree if they differ by less than this, lx, or by 2e-5
+    [[nodiscard]] std::optional<double> unshadowed(double negligible = 0.0) const noexcept;
 
 private:
-    [[nodiscard]] std::optional<double> integrate(std::size_t facet) const noexcept;
-    [[nodiscard]] double integrate(std::size_t facet, std::size_t order) const noexcept;
+    [[nodiscard]] std::optional<double> integrate(std::size_t facet,
+                                                  double negligible) const noexcept;
+    [[nodiscard]] double apply_rule(std::size_t facet, std::size_t order) const noexcept;
 
     const Scene* scene_;
     const Emission* emission_;
