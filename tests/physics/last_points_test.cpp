@@ -141,6 +141,22 @@ TEST_F(LastPointsOfARun, KeepWhatTheyHadWhenStoppedBeforeThereIsMore) {
     }
 }
 
+/// Everything is good enough at once, but for what METHODS 3.6 says of heavy tails.
+TEST_F(LastPointsOfARun, AreThoseWithAHeavyTail) {
+    settings_.absolute_tolerance = 1e6;
+    bool some_went_on = false;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        const Results r = run(seed);
+        EXPECT_TRUE(r.converged);
+        EXPECT_LE(r.looks, 2U);
+        some_went_on = some_went_on || r.looks == 2;
+        settings_.fixed_units = 1; // one look, whatever it sees
+        EXPECT_EQ(run(seed).looks, 1U);
+        settings_.fixed_units.reset();
+    }
+    EXPECT_TRUE(some_went_on);
+}
+
 TEST_F(LastPointsOfARun, OfWhichNothingIsKnownEndInAMessage) {
     for (const double limit : {1e-6, 0.02, 0.05, 0.1}) {
         settings_.time_limit = std::chrono::duration<double>(limit);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolux/calc/results.h"
+#include "isolux/measure/replicate_flags.h"
 
 namespace isolux {
 
@@ -94,6 +95,7 @@ public:
         Estimate direct;
         Estimate indirect;
         Estimate total;
+        ReplicateFlags flags; ///< of the total
     };
 
     [[nodiscard]] PointEstimates estimates(const Tile& tile, std::size_t point_in_tile) const;
