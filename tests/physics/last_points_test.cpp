@@ -141,20 +141,29 @@ TEST_F(LastPointsOfARun, KeepWhatTheyHadWhenStoppedBeforeThereIsMore) {
     }
 }
 
-/// Everything is good enough at once, but for what METHODS 3.6 says of heavy tails.
-TEST_F(LastPointsOfARun, AreThoseWithAHeavyTail) {
-    settings_.absolute_tolerance = 1e6;
-    bool some_went_on = false;
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        const Results r = run(seed);
-        EXPECT_TRUE(r.converged);
-        EXPECT_LE(r.looks, 2U);
-        some_went_on = some_went_on || r.looks == 2;
-        settings_.fixed_units = 1; // one look, whatever it sees
-        EXPECT_EQ(run(seed).looks, 1U);
-        settings_.fixed_units.reset();
+/// METHODS 3.6: at the first look the error of a point with a heavy tail counts sqrt(2) times,
+/// so some runs go on though every interval that they saw was narrow enough.
+TEST_F(LastPointsOfARun, AreLessTrustedWithAHeavyTail) {
+    settings_.contributions = SourceSplit::none;
+    settings_.sensitivities = false;
+    settings_.absolute_tolerance = 160.0;
+    int enough = 0;
+    int went_on = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        double first_look = 0.0;
+        Control control;
+        control.progress = [&](const Progress& p) {
+            if (first_look == 0.0)
+                first_look = p.worst_relative_error;
+        };
+        const Results r = run(seed, control);
+        if (r.looks > 1 && first_look > settings_.tolerance)
+            continue; // for other reasons
+        ++enough;
+        went_on += r.looks > 1 ? 1 : 0;
     }
-    EXPECT_TRUE(some_went_on);
+    EXPECT_GT(went_on, 0);
+    EXPECT_GT(enough, went_on);
 }
 
 TEST_F(LastPointsOfARun, OfWhichNothingIsKnownEndInAMessage) {

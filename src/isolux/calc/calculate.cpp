@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numbers>
 
 #include "isolux/base/parallel.h"
 #include "isolux/calc/accumulator.h"
@@ -29,9 +30,9 @@ constexpr std::size_t points_worth_waiting = 2048;
 /// rests while the other part is refined.
 constexpr double good_enough = 0.3;
 
-/// A point with a heavy tail at the first look needs as much work again, whatever its error:
-/// an excess that asks for it.
-constexpr double twice_the_work = 2.0;
+/// At the first look the error of a point with a heavy tail counts so many times: it takes as
+/// much work as if half of its replicates were worth nothing.
+constexpr double doubt_in_tails = std::numbers::sqrt2;
 
 /// A point darker than this share of its surface's mean is held to the tolerance of that share.
 constexpr double darkest_share = 0.02;
@@ -241,17 +242,15 @@ private:
                 const bool sees_nothing = e.indirect.standard_error == 0.0
                                           && sums_.parked_units(tile.first + p) > 0
                                           && sums_.parked(tile.first + p).mean > 0.0;
-                const bool is_doubtful =
-                    check == 0 && e.flags.heavy_tail && !settings_.fixed_units;
-                if (!sees_nothing && !is_doubtful && r.is_met(e.total, check, floor)) {
+                const double doubt = check == 0 && e.flags.heavy_tail ? doubt_in_tails : 1.0;
+                Estimate believed = e.total;
+                believed.standard_error *= doubt;
+                if (!sees_nothing && r.is_met(believed, check, floor)) {
                     sums_.refine(tile.first + p, false, false);
                     continue;
                 }
-                open.push_back(
-                    open_point(tile.first + p, e, settings_.tolerance * value / factor));
-                if (is_doubtful)
-                    open.back().current.excess =
-                        std::max(open.back().current.excess, twice_the_work);
+                open.push_back(open_point(
+                    tile.first + p, e, settings_.tolerance * value / (doubt * factor)));
             }
         }
         return open;

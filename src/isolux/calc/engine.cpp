@@ -272,20 +272,19 @@ void Engine::send_rays(const VertexCache& cache,
         for (const std::size_t i : points) {
             const std::size_t samples = traces ? samples_[i] : effort_of(i).directions;
             const bool takes_part = !traces || round < rounds_of(i);
-            // A point that has changed shares no number with what it had before.
-            const bool has_changed = traces && began_[i] != unchanged;
+            // A point that changes shares no number with what it had before.
+            const std::uint32_t begin = traces && began_[i] != unchanged ? began_[i] : 0;
             senders.push_back(
                 {&receivers_[i],
                  clear_[i],
                  {settings_.seed,
-                  has_changed ? StreamPurpose::tracing : StreamPurpose::gather,
+                  traces ? StreamPurpose::tracing : StreamPurpose::gather,
                   replicate,
                   i},
                  !takes_part ? 0
                  : traces    ? std::min<std::size_t>(samples, samples_at_once)
                              : samples,
-                 static_cast<std::uint32_t>((has_changed ? unit - began_[i] : unit) * samples
-                                            + round * samples_at_once),
+                 static_cast<std::uint32_t>((unit - begin) * samples + round * samples_at_once),
                  is_within(i, counts_.corner)});
         }
         sums.assign(points.size(), {});

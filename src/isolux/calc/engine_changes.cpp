@@ -15,6 +15,10 @@ constexpr double worth_a_trial = 0.1;
 constexpr double fewest_trial_samples = 16.0;
 constexpr double most_trial_samples = 1024.0;
 
+/// A point that was traced from the beginning tries LE-MIS where going on costs more than this
+/// share of all work so far: nobody knows yet what LE-MIS would need.
+constexpr double worth_a_change = 0.1;
+
 /// Traced paths are worth more than a trial of a few says they need.
 constexpr double doubt = 1.5;
 
@@ -62,6 +66,7 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
     constexpr auto runs = static_cast<double>(replicates);
     constexpr double never = 1e300; // ns
     const double paths_cost = runs * static_cast<double>(effort_.paths) * costs_.path;
+    const double work = static_cast<double>(units) * first_unit_cost_; // so far
     std::vector<OpenPoint> points;
     std::vector<Finish> finishes;
     std::vector<std::size_t> unknown; // what tracing them costs: numbers into `points`
@@ -70,18 +75,21 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
     for (const OpenPoint& p : open) {
         const std::size_t i = p.receiver;
         const bool traces = estimators_[i] == PointEstimator::path_tracing;
-        if (!p.refines_indirect || (traces && p.parked.units == 0))
-            continue; // or traced from the beginning
+        if (!p.refines_indirect)
+            continue;
         const Advance& shared = traces ? p.parked : p.current;
         const Advance& traced = traces ? p.current : p.parked;
         Finish f;
-        f.units = static_cast<double>(shared.units) * share_missing(shared);
+        f.units = shared.units > 0 ? static_cast<double>(shared.units) * share_missing(shared)
+                                   : static_cast<double>(units); // as much as all have had
         f.unit_cost = runs * own_cost(i);
         if (traced.units > 0)
             f.traced = runs * static_cast<double>(traced.units * samples_[i]) * costs_.sample
                        * share_missing(traced);
         else if (trials_[i] < 0.0F)
             unknown.push_back(points.size());
+        if (shared.units == 0 && f.traced < worth_a_change * work)
+            continue;
         if (traces && traced.excess == 0.0)
             f.traced = never; // it has seen nothing yet
         cost += f.units * f.unit_cost;
@@ -90,10 +98,7 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
         finishes.push_back(f);
     }
     cost += most * paths_cost;
-    try_out(
-        points,
-        unknown,
-        std::min(worth_a_trial * cost, 0.5 * static_cast<double>(units) * first_unit_cost_));
+    try_out(points, unknown, std::min(worth_a_trial * cost, 0.5 * work));
     const auto samples_for = [&](const OpenPoint& p) { // of one replicate, from the beginning
         return doubt * static_cast<double>(trials_[p.receiver]) / (runs * p.allowed);
     };

@@ -14,7 +14,7 @@ enum class StreamPurpose : std::uint32_t {
     selection,
     pilot,
     test,
-    tracing ///< of points that change to it
+    tracing ///< paths from points
 };
 
 /// Four 32-bit words of the counter-based generator Philox 4x32-10: a keyed bijection of the
