@@ -24,6 +24,7 @@ struct SmallEngine {
     std::uint32_t batches = 1;      ///< of `paths` light paths each, averaged to one replicate
     double vertices_per_path = 1.0; ///< the constant of METHODS eq. (11)
     Roulette roulette;
+    PathImportance importance;
 
     explicit SmallEngine(const Scene& of) : scene(of) {
         const VertexCache pilot = build_vertex_cache(
@@ -39,8 +40,14 @@ struct SmallEngine {
     [[nodiscard]] VertexCache cache(std::uint64_t seed,
                                     std::uint32_t replicate,
                                     const EffectiveCounts& of_weights) const {
-        return build_vertex_cache(
-            scene, emission, PathRandomness(seed, replicate), 0, paths, of_weights, roulette);
+        return build_vertex_cache(scene,
+                                  emission,
+                                  PathRandomness(seed, replicate),
+                                  0,
+                                  paths,
+                                  of_weights,
+                                  importance,
+                                  roulette);
     }
 
     [[nodiscard]] double local(const VertexCache& vertices,

@@ -208,7 +208,8 @@ VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) con
                               PathRandomness(settings_.seed, replicate),
                               static_cast<std::uint64_t>(unit) * effort_.paths,
                               effort_.paths,
-                              counts_);
+                              counts_,
+                              pilot_.importance);
 }
 
 void Engine::estimate_local(const VertexCache& cache,

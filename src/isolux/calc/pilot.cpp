@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "isolux/base/parallel.h"
+#include "isolux/calc/find_importance.h"
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/walk_front.h"
 
@@ -33,6 +34,9 @@ struct Look {
     double direct = 0.0;
     double look_samples = 0.0; ///< that it took
 };
+
+/// Rounds of walking and looking, where paths need guidance: each sees farther into the dark.
+constexpr int most_rounds = 3;
 
 /// A class is looked at so often, however rare it is.
 constexpr std::size_t fewest_of_a_class = 16;
@@ -130,6 +134,16 @@ double variance_of(std::span<const double> values) noexcept {
     return sum / static_cast<double>(values.size() - 1);
 }
 
+/// Variance of traced values that may have missed light. What they lack beside another estimate
+/// comes by rare paths: it counts as if one more value had brought it.
+double
+believed_variance(std::span<const double> traced, double other, double missing) noexcept {
+    const auto n = static_cast<double>(traced.size());
+    const double variance = variance_of(traced);
+    const bool is_missing = missing > 3.0 * std::sqrt((variance + other) / n);
+    return is_missing || variance == 0.0 ? std::max(variance, n * missing * missing) : variance;
+}
+
 /// The five coefficients of one point, lx2.
 struct PointVariance {
     VarianceModel model;
@@ -139,12 +153,13 @@ struct PointVariance {
 PointVariance judge(std::span<const Look> looks) {
     const std::size_t count = looks.size();
     std::vector<double> indirect(count), traced(count), direct(count);
-    double inside_local = 0.0, inside_gathered = 0.0, value = 0.0;
+    double inside_local = 0.0, inside_gathered = 0.0, value = 0.0, missing = 0.0;
     const auto n = static_cast<double>(count);
     for (std::size_t r = 0; r < count; ++r) {
         const Look& l = looks[r];
         indirect[r] = 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
         traced[r] = l.traced;
+        missing += indirect[r] - traced[r];
         direct[r] = l.direct;
         inside_local += half_square(l.local) / n;
         inside_gathered += half_square(l.gathered) / n;
@@ -156,7 +171,8 @@ PointVariance judge(std::span<const Look> looks) {
     v.model.directions = static_cast<double>(directions) * inside_gathered;
     const double rest = variance_of(indirect) - 0.5 * inside_local - 0.5 * inside_gathered;
     v.model.paths = static_cast<double>(paths) * rest; // may be negative; the mean is not
-    v.model.samples = static_cast<double>(traced_samples) * variance_of(traced);
+    v.model.samples = static_cast<double>(traced_samples)
+                      * believed_variance(traced, variance_of(indirect), missing / n);
     v.model.direct = variance_of(direct);
     v.model.look_samples = looks.front().look_samples;
     return v;
@@ -211,6 +227,73 @@ Pilot summarise(std::span<const PointVariance> points,
     return pilot;
 }
 
+/// Walks the light paths of all replicates and looks at the points.
+/// @param vertices  per path, overwritten  @param looks  [replicate][point], overwritten but
+/// for the direct light
+std::vector<VertexCache> walk_and_look(const PilotScene& task,
+                                       std::span<const std::size_t> points,
+                                       const PathImportance& importance,
+                                       double& vertices,
+                                       std::span<Look> looks) {
+    const std::size_t replicates = looks.size() / points.size();
+    const auto build = [&](std::uint32_t r, const EffectiveCounts& counts) {
+        return build_vertex_cache(*task.scene,
+                                  *task.emission,
+                                  PathRandomness(task.seed, first_replicate + r),
+                                  0,
+                                  paths,
+                                  counts,
+                                  importance);
+    };
+    // The counts of METHODS eq. (11) need the mean number of vertices: first replicate.
+    const VertexCache first = build(most_pilot_replicates, EffectiveCounts{});
+    vertices = std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
+    constexpr double m = paths;
+    const EffectiveCounts counts{m, m * vertices, 1.0, 1.0, task.corner};
+    std::vector<VertexCache> caches(replicates);
+    for_each_index(replicates, 1, [&](std::size_t r) {
+        caches[r] = build(static_cast<std::uint32_t>(r), counts);
+    });
+    const Looker looker(task, points);
+    const std::size_t tiles = (points.size() + tile - 1) / tile;
+    for_each_index(tiles * replicates, 1, [&](std::size_t k) {
+        const std::size_t r = k / tiles;
+        const std::size_t begin = k % tiles * tile;
+        looker.look(caches[r],
+                    counts,
+                    first_replicate + static_cast<std::uint32_t>(r),
+                    begin,
+                    std::min(points.size(), begin + tile),
+                    looks.subspan(r * points.size(), points.size()));
+    });
+    return caches;
+}
+
+/// The points looked at with what they saw, held to what the tolerance holds them to.
+std::vector<ImportancePoint> values_of(const PilotScene& task,
+                                       std::span<const std::size_t> points,
+                                       std::span<const Look> looks,
+                                       const PilotTarget& target) {
+    const std::size_t replicates = looks.size() / points.size();
+    std::vector<ImportancePoint> seen;
+    double mean = 0.0;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        double value = 0.0;
+        for (std::size_t r = 0; r < replicates; ++r) {
+            const Look& l = looks[r * points.size() + p];
+            value += l.direct + 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
+        }
+        value /= static_cast<double>(replicates);
+        mean += value / static_cast<double>(points.size());
+        seen.push_back({&task.receivers[points[p]], task.clear[points[p]], value});
+    }
+    const double floor =
+        std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
+    for (ImportancePoint& p : seen)
+        p.value = std::max(p.value, floor);
+    return seen;
+}
+
 } // namespace
 
 Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
@@ -230,38 +313,18 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
             look.look_samples = samples_taken;
         }
     });
-    if (task.reflected && task.emission->total_flux() > 0.0) {
-        // The counts of METHODS eq. (11) need the mean number of vertices: first replicate.
-        std::vector<VertexCache> caches(replicates);
-        const auto build = [&](std::uint32_t r, const EffectiveCounts& counts) {
-            return build_vertex_cache(*task.scene,
-                                      *task.emission,
-                                      PathRandomness(task.seed, first_replicate + r),
-                                      0,
-                                      paths,
-                                      counts);
-        };
-        const VertexCache first = build(most_pilot_replicates, EffectiveCounts{});
-        vertices =
-            std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
-        constexpr double m = paths;
-        const EffectiveCounts counts{m, m * vertices, 1.0, 1.0, task.corner};
-        for_each_index(replicates, 1, [&](std::size_t r) {
-            caches[r] = build(static_cast<std::uint32_t>(r), counts);
-        });
-        const Looker looker(task, points);
-        const std::size_t tiles = (points.size() + tile - 1) / tile;
-        for_each_index(tiles * replicates, 1, [&](std::size_t k) {
-            const std::size_t r = k / tiles;
-            const std::size_t begin = k % tiles * tile;
-            looker.look(caches[r],
-                        counts,
-                        first_replicate + static_cast<std::uint32_t>(r),
-                        begin,
-                        std::min(points.size(), begin + tile),
-                        std::span(looks).subspan(r * points.size(), points.size()));
-        });
-    }
+    PathImportance importance;
+    if (task.reflected && task.emission->total_flux() > 0.0)
+        for (int round = 0; round < most_rounds; ++round) {
+            const std::vector<VertexCache> caches =
+                walk_and_look(task, points, importance, vertices, looks);
+            if (round + 1 == most_rounds)
+                break;
+            importance =
+                find_importance(*task.scene, caches, values_of(task, points, looks, target));
+            if (importance.is_even())
+                break;
+        }
     std::vector<PointVariance> variances;
     std::vector<PointClass> classes;
     std::vector<Look> own(replicates);
@@ -276,6 +339,7 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         ++all_points[static_cast<std::size_t>(c)];
     Pilot pilot = summarise(variances, classes, all_points, target);
     pilot.vertices_per_path = vertices;
+    pilot.importance = std::move(importance);
     return pilot;
 }
 

@@ -8,6 +8,7 @@
 #include "isolux/calc/effort.h"
 #include "isolux/calc/project.h"
 #include "isolux/transport/mirror_images.h"
+#include "isolux/transport/path_importance.h"
 
 namespace isolux {
 
@@ -51,6 +52,7 @@ struct Pilot {
     ByClass<VarianceModel> of_class; ///< mean over its points; 0 where none was seen
     ByClass<std::size_t> points{};   ///< looked at
     VarianceModel all;               ///< mean over all points of the task
+    PathImportance importance;       ///< for the light paths
 };
 
 [[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);

@@ -29,6 +29,222 @@ double first_density(const Emission& emission,
     return emitted / towards * cos_vertex / (distance * distance);
 }
 
+/// A path goes on as so many at a vertex, at most.
+constexpr double most_branches = 16.0;
+
+/// ... and not as several while so many wait.
+constexpr std::size_t most_waiting = 256;
+
+/// Random numbers of branch k of path i: those of path i + 2^40 k.
+constexpr std::uint32_t branch_bits = 40;
+
+/// A path on its way, or one of its branches.
+struct Flight {
+    Point3 origin;
+    UnitVector3 w;
+    Rgb alpha;
+    std::uint64_t number = 0;   ///< of its random numbers
+    double continuation = 1.0;  ///< diffuse ones that left the last vertex, in the mean
+    double cos_departure = 1.0; ///< p_w of that vertex times pi, 1 at emission
+    double edge = 0.0;          ///< length since the last vertex, straight through panes
+    double passed = 1.0;        ///< transmittance of the panes in between
+    bool is_first = true;       ///< no vertex yet
+    bool behind_mirror = false; ///< a Dirac reflection since the last vertex
+    std::uint32_t bounce = 0;
+    std::uint32_t order = 1;
+    std::uint32_t reflections = 0; ///< diffuse ones
+    std::size_t last = 0;          ///< vertex of the last of them
+};
+
+/// Where a flight met a surface and what that does.
+struct Meeting {
+    Point3 position;
+    UnitVector3 normal;
+    SurfaceEvent event;
+    double diffuse = 0.0;  ///< share of what the flight carries
+    double albedo = 0.0;   ///< of all events
+    double going_on = 0.0; ///< flights that leave, in the mean
+};
+
+class PathWalk {
+public:
+    PathWalk(const Scene& scene,
+             const Emission& emission,
+             const PathRandomness& random,
+             std::vector<PathVertex>& vertices,
+             const PathImportance& importance,
+             const Roulette& roulette,
+             std::vector<Flight>& waiting)
+        : scene_(scene), emission_(emission), random_(random), vertices_(vertices),
+          importance_(importance), roulette_(roulette), waiting_(waiting) {}
+
+    FluxTally run(std::uint64_t path) {
+        start(path);
+        while (!waiting_.empty()) {
+            Flight flight = waiting_.back();
+            waiting_.pop_back();
+            while (fly(flight))
+                continue;
+        }
+        return tally_;
+    }
+
+private:
+    using D = PathDimension;
+
+    /// Luminaire, place and direction. The flux is that of all luminaires.
+    void start(std::uint64_t path) {
+        start_ = emission_.sample_emission(random_(path, D::luminaire),
+                                           random_(path, D::place),
+                                           random_(path, D::place + 1),
+                                           random_(path, D::direction),
+                                           random_(path, D::direction + 1));
+        Flight f;
+        f.number = path;
+        f.alpha = emission_.total_flux() * emission_.colour(start_.from.luminaire);
+        f.w = start_.direction;
+        f.origin = emission_.departure(start_.from, f.w);
+        alpha_1_ = luminance_sum(f.alpha);
+        waiting_.push_back(f);
+    }
+
+    /// To the next surface and off it. @return whether the flight goes on
+    bool fly(Flight& f) {
+        const auto hit = scene_.caster.find_first_hit(f.origin, f.w);
+        ++tally_.rays;
+        const double carried = luminance_sum(f.alpha);
+        if (!hit) {
+            tally_.escaped += carried;
+            return false;
+        }
+        f.edge += hit->distance;
+        const SceneTriangle& triangle = scene_.triangle(hit->triangle);
+        const double cos_in = std::max(0.0, -dot(hit->normal, f.w));
+        Meeting m{hit->position, hit->normal, {}};
+        m.event = evaluate_surface(scene_.material(triangle.material), hit->is_front, cos_in);
+        m.diffuse = luminance_sum(f.alpha * m.event.diffuse) / carried;
+        m.albedo = m.diffuse + m.event.mirror + m.event.straight;
+        tally_.absorbed += carried * (1.0 - m.albedo);
+        if (!(m.albedo > 0.0))
+            return false;
+        m.going_on = count(m, carried);
+        if (m.diffuse > 0.0)
+            keep_vertex(f, m, cos_in, triangle.material);
+        return go_on(f, m);
+    }
+
+    /// Roulette and branching: panes decide by their own shares, surfaces by what the path
+    /// would still carry and by how much it matters there.
+    [[nodiscard]] double count(const Meeting& m, double carried) const noexcept {
+        if (m.event.is_pane)
+            return m.albedo;
+        const double wanted =
+            m.albedo * carried / alpha_1_ * importance_.at(m.position, m.normal);
+        const bool may_branch = wanted > 1.0 && waiting_.size() < most_waiting;
+        return may_branch ? std::min(wanted, most_branches)
+                          : std::clamp(wanted, roulette_.least, roulette_.most);
+    }
+
+    /// How many flights like this one there are for each that gather rays would meet.
+    [[nodiscard]] double rarity(const Flight& f) const noexcept {
+        return importance_.is_even() ? 1.0 : alpha_1_ / luminance_sum(f.alpha);
+    }
+
+    /// Only the diffuse part connects.
+    void keep_vertex(const Flight& f, const Meeting& m, double cos_in, MaterialId material) {
+        PathVertex v;
+        v.position = scene_.caster.offset_point(m.position, m.normal);
+        v.normal = m.normal;
+        v.radiant = (1.0 / pi) * (f.alpha * m.event.diffuse);
+        v.continuation = m.going_on * m.diffuse / m.albedo * rarity(f);
+        v.carried = luminance_sum(f.alpha);
+        v.order = f.order;
+        v.luminaire = static_cast<std::uint32_t>(start_.from.luminaire);
+        v.material = material;
+        v.back = f.reflections == 0 ? 0 : static_cast<std::uint32_t>(vertices_.size() - f.last);
+        v.is_first = f.is_first && !f.behind_mirror;
+        if (f.behind_mirror)
+            v.density = after_mirror;
+        else if (f.is_first)
+            v.density = f.passed * first_density(emission_, start_, m.position, cos_in, f.edge);
+        else
+            v.density =
+                f.passed * f.continuation * (f.cos_departure / pi) * cos_in / (f.edge * f.edge);
+        vertices_.push_back(v);
+    }
+
+    /// As how many flights, if any: what is killed is absorbed in the mean. The others wait
+    /// with numbers of their own.
+    bool go_on(Flight& f, const Meeting& m) {
+        const std::size_t vertex = vertices_.size() - 1;
+        const double whole = std::floor(m.going_on);
+        const double rest = m.going_on - whole;
+        double pick = random_(f.number, D::first_bounce + 3 * f.bounce + D::event);
+        const bool one_more = pick < rest;
+        const auto flights = static_cast<std::uint32_t>(whole) + (one_more ? 1U : 0U);
+        if (flights == 0)
+            return false;
+        pick = one_more ? pick * (m.albedo / rest) : (pick - rest) * (m.albedo / (1.0 - rest));
+        for (std::uint32_t k = 1; k < flights; ++k) {
+            Flight branch = f;
+            branch.number = (f.number & ((1ULL << branch_bits) - 1U))
+                            | std::uint64_t{++branches_} << branch_bits;
+            const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::event;
+            leave(branch, m, m.albedo * random_(branch.number, d), vertex);
+            waiting_.push_back(branch);
+        }
+        leave(f, m, pick, vertex);
+        return true;
+    }
+
+    /// Which event. @param pick  in [0, albedo)
+    void leave(Flight& f, const Meeting& m, double pick, std::size_t vertex) const {
+        const double boost = m.albedo / m.going_on;
+        const double rare = rarity(f);
+        const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::scatter;
+        ++f.bounce;
+        if (pick < m.diffuse) {
+            const Vector3 local =
+                sample_cosine_hemisphere(random_(f.number, d), random_(f.number, d + 1));
+            f.w = UnitVector3::from_unit(make_basis(m.normal).to_world(local));
+            f.origin = scene_.caster.offset_point(m.position, m.normal);
+            f.alpha = (boost / m.diffuse) * (f.alpha * m.event.diffuse);
+            f.continuation = m.going_on * m.diffuse / m.albedo * rare;
+            f.cos_departure = local.z;
+            f.edge = 0.0;
+            f.passed = 1.0;
+            f.is_first = false;
+            f.behind_mirror = false;
+            ++f.order;
+            ++f.reflections;
+            f.last = vertex;
+        } else if (pick < m.diffuse + m.event.mirror) {
+            f.w = reflect(f.w, m.normal);
+            f.origin = scene_.caster.offset_point(m.position, m.normal);
+            f.alpha = boost * f.alpha;
+            f.behind_mirror = true;
+            ++f.order;
+        } else {
+            // Across the pane, not along the ray: that could cross a wall the pane ends at.
+            f.origin = scene_.caster.offset_point(m.position, -m.normal);
+            f.alpha = boost * f.alpha;
+            f.passed *= m.event.straight;
+        }
+    }
+
+    const Scene& scene_;
+    const Emission& emission_;
+    const PathRandomness& random_;
+    std::vector<PathVertex>& vertices_;
+    const PathImportance& importance_;
+    const Roulette& roulette_;
+    EmissionSample start_;
+    double alpha_1_ = 0.0;
+    std::vector<Flight>& waiting_;
+    std::uint32_t branches_ = 0;
+    FluxTally tally_;
+};
+
 } // namespace
 
 FluxTally walk_light_path(const Scene& scene,
@@ -36,116 +252,11 @@ FluxTally walk_light_path(const Scene& scene,
                           const PathRandomness& random,
                           std::uint64_t path,
                           std::vector<PathVertex>& vertices,
+                          const PathImportance& importance,
                           const Roulette& roulette) {
-    using D = PathDimension;
-    FluxTally tally;
-
-    // Start: luminaire, place and direction. The flux is that of all luminaires.
-    const EmissionSample start = emission.sample_emission(random(path, D::luminaire),
-                                                          random(path, D::place),
-                                                          random(path, D::place + 1),
-                                                          random(path, D::direction),
-                                                          random(path, D::direction + 1));
-    Rgb alpha = emission.total_flux() * emission.colour(start.from.luminaire);
-    const double alpha_1 = luminance_sum(alpha);
-    UnitVector3 w = start.direction;
-    Point3 origin = emission.departure(start.from, w);
-
-    double continuation = 1.0;  // probability of having gone on diffusely at the last vertex
-    double cos_departure = 1.0; // p_w of that vertex times pi, 1 at emission
-    double edge = 0.0;          // length since the last vertex, straight through panes
-    double passed = 1.0;        // transmittance of the panes in between
-    bool is_first = true;       // no vertex yet
-    bool behind_mirror = false; // a Dirac reflection since the last vertex
-    std::uint32_t order = 1;
-    std::uint32_t reflections = 0; // diffuse ones
-    std::size_t last = 0;          // vertex of the last of them
-
-    for (std::uint32_t bounce = 0;; ++bounce) {
-        // Fly to the next surface.
-        const auto hit = scene.caster.find_first_hit(origin, w);
-        ++tally.rays;
-        if (!hit) {
-            tally.escaped += luminance_sum(alpha);
-            return tally;
-        }
-        edge += hit->distance;
-        const SceneTriangle& triangle = scene.triangle(hit->triangle);
-        const double cos_in = std::max(0.0, -dot(hit->normal, w));
-        const SurfaceEvent event =
-            evaluate_surface(scene.material(triangle.material), hit->is_front, cos_in);
-        const double carried = luminance_sum(alpha);
-        const double diffuse = luminance_sum(alpha * event.diffuse) / carried;
-        const double albedo = diffuse + event.mirror + event.straight;
-        tally.absorbed += carried * (1.0 - albedo);
-        if (!(albedo > 0.0))
-            return tally;
-
-        // Roulette: panes decide by their own shares, surfaces by what the path would still
-        // carry.
-        const double survival =
-            event.is_pane
-                ? albedo
-                : std::clamp(albedo * carried / alpha_1, roulette.least, roulette.most);
-
-        // Keep the vertex; only its diffuse part connects.
-        if (diffuse > 0.0) {
-            PathVertex v;
-            v.position = scene.caster.offset_point(hit->position, hit->normal);
-            v.normal = hit->normal;
-            v.radiant = (1.0 / pi) * (alpha * event.diffuse);
-            v.continuation = survival * diffuse / albedo;
-            v.order = order;
-            v.luminaire = static_cast<std::uint32_t>(start.from.luminaire);
-            v.material = triangle.material;
-            v.back = reflections == 0 ? 0 : static_cast<std::uint32_t>(vertices.size() - last);
-            v.is_first = is_first && !behind_mirror;
-            if (behind_mirror)
-                v.density = after_mirror;
-            else if (is_first)
-                v.density =
-                    passed * first_density(emission, start, hit->position, cos_in, edge);
-            else
-                v.density =
-                    passed * continuation * (cos_departure / pi) * cos_in / (edge * edge);
-            vertices.push_back(v);
-        }
-
-        // Go on: which event, if any. What is killed by roulette is absorbed in the mean.
-        const std::uint32_t d = D::first_bounce + 3 * bounce;
-        double pick = random(path, d + D::event);
-        if (pick >= survival)
-            return tally;
-        pick *= albedo / survival;
-        const double boost = albedo / survival;
-        if (pick < diffuse) {
-            const Vector3 local = sample_cosine_hemisphere(random(path, d + D::scatter),
-                                                           random(path, d + D::scatter + 1));
-            w = UnitVector3::from_unit(make_basis(hit->normal).to_world(local));
-            origin = scene.caster.offset_point(hit->position, hit->normal);
-            alpha = (boost / diffuse) * (alpha * event.diffuse);
-            continuation = survival * diffuse / albedo;
-            cos_departure = local.z;
-            edge = 0.0;
-            passed = 1.0;
-            is_first = false;
-            behind_mirror = false;
-            ++order;
-            ++reflections;
-            last = vertices.size() - 1;
-        } else if (pick < diffuse + event.mirror) {
-            w = reflect(w, hit->normal);
-            origin = scene.caster.offset_point(hit->position, hit->normal);
-            alpha = boost * alpha;
-            behind_mirror = true;
-            ++order;
-        } else {
-            // Across the pane, not along the ray: that could cross a wall the pane ends at.
-            origin = scene.caster.offset_point(hit->position, -hit->normal);
-            alpha = boost * alpha;
-            passed *= event.straight;
-        }
-    }
+    thread_local std::vector<Flight> waiting;
+    waiting.clear();
+    return PathWalk(scene, emission, random, vertices, importance, roulette, waiting).run(path);
 }
 
 } // namespace isolux

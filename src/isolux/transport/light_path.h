@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "isolux/transport/emission.h"
+#include "isolux/transport/path_importance.h"
 #include "isolux/transport/path_randomness.h"
 
 namespace isolux {
@@ -17,8 +18,11 @@ struct PathVertex {
     Rgb radiant; ///< alpha rho / pi: the intensity per cosine the vertex shines with, lm/sr
     double density =
         0.0; ///< p1 of METHODS eq. (7), 1/m2; infinite behind a mirror or a pane's reflection
-    double continuation = 0.0; ///< probability that the chain goes on diffusely from here
-    std::uint32_t order = 1;   ///< reflections up to and including this one
+    /// How many chains go on diffusely from here, in the mean, times rarity(): METHODS eq.
+    /// (136).
+    double continuation = 0.0;
+    double carried = 0.0;    ///< alpha that arrived, the Y-sum, lm
+    std::uint32_t order = 1; ///< reflections up to and including this one
     std::uint32_t luminaire = 0;
     MaterialId material;
     /// How many vertices before this one the path was last reflected diffusely; 0: never.
@@ -42,13 +46,15 @@ struct Roulette {
     double most = 0.999; ///< below 1: a path between perfect mirrors ends as well
 };
 
-/// Walks light path `path` of a replicate, METHODS "The Markov chain". Vertices are appended to
-/// `vertices`. @return where its flux went
+/// Walks light path `path` of a replicate, METHODS "The Markov chain"; where places are
+/// important it goes on as several. Vertices are appended to `vertices`, branch after branch.
+/// @return where its flux went
 FluxTally walk_light_path(const Scene& scene,
                           const Emission& emission,
                           const PathRandomness& random,
                           std::uint64_t path,
                           std::vector<PathVertex>& vertices,
+                          const PathImportance& importance = {},
                           const Roulette& roulette = {});
 
 } // namespace isolux

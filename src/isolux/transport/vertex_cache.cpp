@@ -14,46 +14,8 @@ namespace {
 /// Paths one task walks.
 constexpr std::size_t paths_per_task = 64;
 
-/// Which way a normal mainly points: 0..5.
-std::uint32_t facing(const UnitVector3& n) noexcept {
-    const double x = std::abs(n.x()), y = std::abs(n.y()), z = std::abs(n.z());
-    if (z >= x && z >= y)
-        return n.z() < 0.0 ? 0U : 1U;
-    if (x >= y)
-        return n.x() < 0.0 ? 2U : 3U;
-    return n.y() < 0.0 ? 4U : 5U;
-}
-
-/// The bits of a number below 8, three places apart.
-constexpr std::uint32_t spread(std::uint32_t x) noexcept {
-    return (x & 1U) | (x & 2U) << 2U | (x & 4U) << 4U;
-}
-
-/// Sorting keys: the way a vertex faces, then its cell of 8 x 8 x 8 over the scene along a
-/// curve that keeps neighbours together.
-class CellOrder {
-public:
-    static constexpr std::size_t keys = 6U << 9U;
-
-    explicit CellOrder(const Bounds& bounds) : lower_(bounds.lower) {
-        const Vector3 size = bounds.upper - bounds.lower;
-        const auto scale = [](double s) { return s > 0.0 ? 8.0 / s : 0.0; };
-        scale_ = {scale(size.x), scale(size.y), scale(size.z)};
-    }
-
-    [[nodiscard]] std::uint32_t key(const PathVertex& v) const noexcept {
-        const Vector3 p = v.position - lower_;
-        const auto cell = [](double s) {
-            return static_cast<std::uint32_t>(std::clamp(s, 0.0, 7.0));
-        };
-        return facing(v.normal) << 9U | spread(cell(p.x * scale_.x)) << 2U
-               | spread(cell(p.y * scale_.y)) << 1U | spread(cell(p.z * scale_.z));
-    }
-
-private:
-    Point3 lower_;
-    Vector3 scale_;
-};
+/// Picks take their number as if they were these paths: beyond all branches.
+constexpr std::uint64_t pick_path = 1ULL << 63U;
 
 /// Numbers of the vertices by cell, by counting; those of one cell stay in path order.
 std::vector<std::uint32_t> sort_by_cell(const std::vector<PathVertex>& vertices,
@@ -62,7 +24,7 @@ std::vector<std::uint32_t> sort_by_cell(const std::vector<PathVertex>& vertices,
     std::vector<std::uint32_t> keys(vertices.size());
     std::vector<std::uint32_t> starts(CellOrder::keys + 1, 0);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        keys[i] = order.key(vertices[i]);
+        keys[i] = order.key(vertices[i].position, vertices[i].normal);
         ++starts[keys[i] + 1];
     }
     for (std::size_t k = 0; k < CellOrder::keys; ++k)
@@ -149,6 +111,21 @@ void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& count
     }
 }
 
+/// Systematic draws along the running sum of what the vertices carry, as many as there would be
+/// if all carried the same.
+void draw_picks(VertexCache& cache, double carried_by_a_path, double offset) {
+    for (const PathVertex& v : cache.vertices)
+        cache.carried += v.carried;
+    const double wanted = std::max(1.0, std::floor(cache.carried / carried_by_a_path));
+    const double step = cache.carried / wanted;
+    double running = 0.0;
+    for (std::uint32_t i = 0; i < cache.vertices.size(); ++i) {
+        running += cache.vertices[i].carried;
+        while ((static_cast<double>(cache.picks.size()) + offset) * step < running)
+            cache.picks.push_back(i);
+    }
+}
+
 } // namespace
 
 VertexCache build_vertex_cache(const Scene& scene,
@@ -157,6 +134,7 @@ VertexCache build_vertex_cache(const Scene& scene,
                                std::uint64_t first,
                                std::size_t count,
                                const EffectiveCounts& counts,
+                               const PathImportance& importance,
                                const Roulette& roulette) {
     VertexCache cache;
     cache.paths = count;
@@ -173,8 +151,8 @@ VertexCache build_vertex_cache(const Scene& scene,
         slots[t].reserve(4 * paths_per_task);
         const std::size_t end = std::min(count, (t + 1) * paths_per_task);
         for (std::size_t i = t * paths_per_task; i < end; ++i) {
-            const FluxTally f =
-                walk_light_path(scene, emission, random, first + i, slots[t], roulette);
+            const FluxTally f = walk_light_path(
+                scene, emission, random, first + i, slots[t], importance, roulette);
             tallies[t].absorbed += f.absorbed;
             tallies[t].escaped += f.escaped;
             tallies[t].rays += f.rays;
@@ -186,6 +164,8 @@ VertexCache build_vertex_cache(const Scene& scene,
         cache.flux.escaped += tallies[t].escaped;
         cache.flux.rays += tallies[t].rays;
     }
+    if (!importance.is_even() && !cache.empty())
+        draw_picks(cache, emission.total_flux(), random(pick_path + first, 0));
     pack(cache, scene.bounds, counts);
     return cache;
 }

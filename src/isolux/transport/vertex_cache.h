@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,7 @@ struct CloseVertex {
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
 /// precision for connections, and packed as floats for the vectorised kernel, there sorted by
 /// where they lie and face, so that neighbours in the running sum are neighbours in the room.
-/// Holds about 190 bytes a vertex.
+/// Holds about 200 bytes a vertex.
 struct VertexCache {
     std::size_t paths = 0;
     std::vector<PathVertex> vertices;
@@ -37,13 +38,33 @@ struct VertexCache {
     std::vector<VertexBlock> blocks;
     /// Which vertex stands at a place of the blocks, counted [block][row][column].
     std::vector<std::uint32_t> vertex_at;
-    double corner = 0.0; ///< of the counts
+    /// Where importance drew more vertices than there is flux: some of them in proportion to
+    /// what they carry, for who wants one at random. Empty: any will do.
+    std::vector<std::uint32_t> picks;
+    double carried = 0.0; ///< by all vertices, lm
+    double corner = 0.0;  ///< of the counts
     std::vector<CloseVertex> close;
     FluxTally flux;
 
     [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }
 
     [[nodiscard]] bool empty() const noexcept { return vertices.empty(); }
+
+    struct Pick {
+        std::size_t vertex = 0;
+        double share = 0.0; ///< 1/(probability x paths)
+    };
+
+    /// One at random, in proportion to what they carry. @param u  in [0, 1)  @pre !empty()
+    [[nodiscard]] Pick pick(double u) const noexcept {
+        const std::size_t n = picks.empty() ? vertices.size() : picks.size();
+        const std::size_t k =
+            std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
+        const auto all = static_cast<double>(paths);
+        if (picks.empty())
+            return {k, static_cast<double>(n) / all};
+        return {picks[k], carried / (vertices[picks[k]].carried * all)};
+    }
 };
 
 /// Calls `f(material)` for all diffuse reflections of a light path up to and including a
@@ -65,6 +86,7 @@ template <class F> void visit_chain(const VertexCache& cache, std::size_t vertex
                                              std::uint64_t first,
                                              std::size_t count,
                                              const EffectiveCounts& counts,
+                                             const PathImportance& importance = {},
                                              const Roulette& roulette = {});
 
 } // namespace isolux

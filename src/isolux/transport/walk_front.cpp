@@ -169,9 +169,7 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
     const double u = walk.numbers.next();
     if (cache_->empty())
         return;
-    const std::size_t n = cache_->size();
-    const std::size_t drawn =
-        std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
+    const auto [drawn, share] = cache_->pick(u);
     const PathVertex& v = cache_->vertices[drawn];
     const Vector3 d = y.at - v.position;
     const double d2 = length_squared(d);
@@ -184,7 +182,6 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
         return;
     const double p1 = v.continuation * (cos_v / pi) * cos_y / d2;
     const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
-    const double share = static_cast<double>(n) / static_cast<double>(cache_->paths);
     std::uint32_t trail = reflected_by(y.material, walk.trail);
     if (ledger_->wants_trails())
         visit_chain(*cache_, drawn, [&](MaterialId m) { trail = trails_.add(m, trail); });
