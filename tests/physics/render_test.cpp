@@ -219,22 +219,38 @@ TEST(RenderedPicture, HasTheSameBitsForAnyNumberOfThreads) {
     View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 40, 24);
     view.camera.lens_radius = 0.02;
     for (const std::size_t samples : {4, 16}) { // even and uneven counts
-        const auto with = [&](std::size_t threads) {
-            const ThreadLimit limit(threads);
-            return render(scene, view, settings_of(samples, PictureFilter::axis_aligned));
-        };
-        const ViewPicture one = with(1);
-        ASSERT_FALSE(one.filtered.x.empty());
-        for (const std::size_t threads : {2, 7}) {
-            const ViewPicture other = with(threads);
-            EXPECT_EQ(one.raw.x, other.raw.x);
-            EXPECT_EQ(one.raw.z, other.raw.z);
-            EXPECT_EQ(one.filtered.y, other.filtered.y);
-            EXPECT_EQ(one.standard_error, other.standard_error);
-            EXPECT_EQ(one.filter_width, other.filter_width);
-            EXPECT_EQ(one.depth, other.depth);
-            EXPECT_EQ(one.samples, other.samples);
+        for (const bool is_preview : {false, true}) {
+            const auto with = [&](std::size_t threads) {
+                const ThreadLimit limit(threads);
+                RenderSettings settings = settings_of(samples, PictureFilter::axis_aligned);
+                settings.is_preview = is_preview;
+                return render(scene, view, settings);
+            };
+            const ViewPicture one = with(1);
+            ASSERT_FALSE(one.filtered.x.empty());
+            for (const std::size_t threads : {2, 7}) {
+                const ViewPicture other = with(threads);
+                EXPECT_EQ(one.raw.x, other.raw.x);
+                EXPECT_EQ(one.raw.z, other.raw.z);
+                EXPECT_EQ(one.filtered.y, other.filtered.y);
+                EXPECT_EQ(one.standard_error, other.standard_error);
+                EXPECT_EQ(one.filter_width, other.filter_width);
+                EXPECT_EQ(one.depth, other.depth);
+                EXPECT_EQ(one.samples, other.samples);
+            }
         }
+    }
+}
+
+TEST(RenderedPreview, TakesAsManySamplesAsAskedInEveryPixel) {
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 37, 19);
+    for (const std::size_t samples : {2, 3, 9}) {
+        RenderSettings settings = settings_of(samples, PictureFilter::axis_aligned);
+        settings.is_preview = true;
+        const ViewPicture p = render(corner(), view, settings);
+        EXPECT_FALSE(p.interrupted);
+        for (const float n : p.samples)
+            ASSERT_EQ(n, static_cast<float>(samples));
     }
 }
 

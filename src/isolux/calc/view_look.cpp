@@ -8,13 +8,18 @@ namespace isolux {
 
 void PilotLook::look() {
     const std::size_t wanted = pilot_sight_lines(setup_.settings);
-    thread_local EyePath path;
+    thread_local EyePath passing;
     for (std::uint32_t s = 0; s < wanted; ++s) {
+        EyePath& path =
+            keep_ != nullptr ? keep_->paths[keep_->index(column_, row_, s)] : passing;
         NumberSequence numbers(random_, s);
         const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
         ++asked_;
-        if (!line)
+        if (!line) {
+            path.luminaires = {};
+            path.surfaces.clear();
             continue;
+        }
         follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
         const SeenSurface* seen = primary_of(path);
         on_luminaire_ += luminance_sum(path.luminaires) > 0.0 ? 1U : 0U;
@@ -126,14 +131,9 @@ void PilotLook::write_geometry(PixelBuffers& buffers) const {
     if (!setup_.camera.has_lens())
         return;
     double low = std::numeric_limits<double>::infinity();
-    double high = 0.0;
-    for (std::size_t s = 0; s < used_; ++s) {
-        const double r = std::abs(setup_.camera.lens_shift(samples_[s].depth_on_axis));
-        low = std::min(low, r);
-        high = std::max(high, r);
-    }
+    for (std::size_t s = 0; s < used_; ++s)
+        low = std::min(low, std::abs(setup_.camera.lens_shift(samples_[s].depth_on_axis)));
     g.lens_shift_min[pixel_] = static_cast<float>(low);
-    g.lens_shift_max[pixel_] = static_cast<float>(high);
 }
 
 void PilotLook::write_plan(PilotPlanes& pilot) const {

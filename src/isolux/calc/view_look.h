@@ -19,8 +19,10 @@ struct SeenPlace {
 /// The pilot's rays through one pixel and the two surfaces that most of them meet.
 class PilotLook {
 public:
-    PilotLook(const ViewSetup& setup, std::size_t column, std::size_t row)
-        : setup_(setup), column_(column), row_(row), pixel_(row * setup.size.columns + column),
+    /// @param keep  takes what the rays showed, if given
+    PilotLook(const ViewSetup& setup, std::size_t column, std::size_t row, SeenTile* keep)
+        : setup_(setup), keep_(keep), column_(column), row_(row),
+          pixel_(row * setup.size.columns + column),
           random_(setup.settings.seed, StreamPurpose::pilot, 0, pixel_) {}
 
     void look();
@@ -81,6 +83,7 @@ private:
     void write_steps(PixelGeometry& g) const;
 
     const ViewSetup& setup_;
+    SeenTile* keep_;
     std::size_t column_, row_, pixel_;
     PointRandomness random_;
     std::uint64_t rays_ = 0;

@@ -17,7 +17,6 @@ constexpr double edge_factor = 0.4;
 constexpr double widest_edge = 0.5; ///< m
 
 /// Layers of luminaires' own: fewer in large pictures, for their memory.
-constexpr std::size_t most_layers = 16;
 constexpr std::size_t most_layers_if_large = 8;
 constexpr std::size_t large_picture = 2'000'000; ///< pixels
 

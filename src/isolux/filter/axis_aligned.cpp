@@ -65,6 +65,8 @@ void recompose(const PixelBuffers& buffers,
             return;
         const double e1 = light != nullptr ? light->unshadowed_first[i] : 1.0;
         const double e2 = light != nullptr ? light->unshadowed_second[i] : 1.0;
+        if (e1 == 0.0 && e2 == 0.0)
+            return;
         const Rgb tint = light != nullptr ? light->colour : Rgb::grey(1.0);
         const auto pair = [&](const PixelSurface& surface, double e) {
             return std::array{e * (tint * surface.reflected_a.colour(i)),

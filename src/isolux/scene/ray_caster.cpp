@@ -48,6 +48,7 @@ struct RayCaster::Implementation {
     Point3 centre;
     std::vector<Piece> opaque;
     std::vector<Piece> panes;
+    PaneBox pane_box{{}};
     std::vector<std::vector<std::uint32_t>> twins; ///< of opaque pieces
     std::optional<EmbreeScene> opaque_scene;       ///< none without triangles
     std::optional<EmbreeScene> pane_scene;
@@ -99,6 +100,7 @@ RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triang
     twins = find_twins(opaque, 4.0 * offset_at(reach));
     opaque_scene = build(opaque);
     pane_scene = build(panes);
+    pane_box = PaneBox(panes);
 }
 
 SurfaceHit RayCaster::Implementation::make_hit(const Vector3& from,
@@ -192,7 +194,9 @@ std::optional<SurfaceHit> RayCaster::find_first_hit(const Point3& origin,
     const auto wall = self.opaque_scene ? self.opaque_scene->find_first_hit(ray) : std::nullopt;
     if (wall)
         ray.far = wall->t;
-    auto pane = self.pane_scene ? self.pane_scene->find_first_hit(ray) : std::nullopt;
+    const bool may_see_pane =
+        self.pane_scene && self.pane_box.may_meet(from, from + ray.far * Vector3(direction));
+    auto pane = may_see_pane ? self.pane_scene->find_first_hit(ray) : std::nullopt;
     if (pane && wall && pane->t >= wall->t)
         pane.reset();
     if (!pane && !wall)
@@ -215,7 +219,7 @@ double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept
         return 1.0; // too short for anything to stand between
     if (self.opaque_scene && self.opaque_scene->is_occluded({from, way, 0.0, far}))
         return 0.0;
-    return self.panes.empty() ? 1.0 : self.pass_panes(from, to);
+    return self.pane_box.may_meet(from, to) ? self.pass_panes(from, to) : 1.0;
 }
 
 void RayCaster::transmittance16(std::span<const SightSegment> segments,
@@ -225,6 +229,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
     const auto& self = *implementation_;
     wanted &= (1U << segments.size()) - 1U;
     RayPacket packet{};
+    std::uint32_t near_panes = 0;
     for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         const Vector3 from = segments[i].a - self.centre;
@@ -232,6 +237,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
         const Vector3 way = to - from;
         packet.set(i, {from, way, 0.0, Implementation::end_of(to, length(way))});
         result[i] = 1.0F;
+        near_panes |= self.pane_box.may_meet(from, to) ? 1U << i : 0U;
         if (!(packet.far[i] > 0.0F))
             wanted &= ~(1U << i); // too short for anything to stand between
     }
@@ -241,8 +247,8 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
         self.opaque_scene ? self.opaque_scene->find_occluded(packet, wanted) : 0U;
     for (std::uint32_t rest = occluded; rest != 0; rest &= rest - 1)
         result[static_cast<std::size_t>(std::countr_zero(rest))] = 0.0F;
-    if (self.pane_scene)
-        self.pass_panes16(segments, packet, wanted & ~occluded, result);
+    if (const std::uint32_t open = wanted & ~occluded & near_panes; open != 0)
+        self.pass_panes16(segments, packet, open, result);
 }
 
 bool RayCaster::has_panes() const noexcept { return !implementation_->panes.empty(); }

@@ -92,6 +92,28 @@ TEST_F(Exr, HasNoFilteredLayersWithoutAFilter) {
     EXPECT_EQ(image.find("R")->at(7), 7.0F);
 }
 
+TEST_F(Exr, LeavesPartsPlacesAndCopiesOutOfPreviews) {
+    ViewPicture picture = small_picture(true);
+    picture.is_preview = true;
+    write_exr(file_, picture);
+    const ExrImage image = read_exr(file_);
+    for (const char* name : {"filtered.R", "luminance.Y", "raw.Y", "direct.R", "position.X"})
+        EXPECT_EQ(image.find(name), nullptr) << name;
+    for (const char* name : {"R",
+                             "raw.R",
+                             "error.Y",
+                             "error.filtered",
+                             "Z",
+                             "normal.Z",
+                             "albedo.G",
+                             "object.id",
+                             "illuminance.E",
+                             "samples.N"})
+        EXPECT_NE(image.find(name), nullptr) << name;
+    EXPECT_EQ(image.find("R")->at(7), 10.5F); // what is shown: filtered
+    EXPECT_EQ(image.find("raw.R")->at(7), 7.0F);
+}
+
 TEST_F(Exr, ReplacesAFileWholeOrNotAtAll) {
     write_exr(file_, small_picture(false));
     write_exr(file_, small_picture(true));

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -301,6 +302,36 @@ TEST(RayCaster, TheSeamOfAPaneDimsOnce) {
         const double x = i / 200.0; // on the diagonal
         ASSERT_NEAR(caster.transmittance({x, x, -1}, {x, x, 1}), once, 1e-12);
     }
+}
+
+/// Rays far from all panes are not asked about them; a pane far away makes that no reason.
+TEST(RayCaster, PanesAreFoundWhetherTheirBoxIsSmallOrLarge) {
+    const CasterTriangle pane{.is_pane = true};
+    std::vector<CasterTriangle> few;
+    add_rectangle(few, {0.2, 0.2, 0.5}, {0.6, 0, 0}, {0, 0.6, 0}, pane);
+    std::vector<CasterTriangle> many = few;
+    add_rectangle(many, {-9, -9, -9}, {0.1, 0, 0}, {0, 0.1, 0}, pane);
+    add_rectangle(many, {9, 9, 9}, {0.1, 0, 0}, {0, 0.1, 0}, pane);
+    const RayCaster small(few);
+    const RayCaster large(many);
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> u(0.0, 1.0);
+    std::size_t dimmed = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Point3 a{u(engine), u(engine), u(engine)};
+        const Point3 b{u(engine), u(engine), u(engine)};
+        ASSERT_NEAR(small.transmittance(a, b), large.transmittance(a, b), 1e-6) << i;
+        dimmed += small.transmittance(a, b) < 1.0 ? 1U : 0U;
+        const std::array<SightSegment, 1> one{{{a, b}}};
+        std::array<float, 1> seen{};
+        small.transmittance16(one, 1U, seen);
+        ASSERT_NEAR(seen[0], large.transmittance(a, b), 1e-6) << i;
+        const UnitVector3 w(b - a);
+        const auto hit = small.find_first_hit(a, w, distance(a, b));
+        const auto other = large.find_first_hit(a, w, distance(a, b));
+        ASSERT_EQ(hit.has_value(), other.has_value()) << i;
+    }
+    EXPECT_GT(dimmed, 400U);
 }
 
 TEST(RayCaster, PanesMultiplyAndWallsStop) {
