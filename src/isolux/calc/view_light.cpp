@@ -74,7 +74,7 @@ LightAim PixelLight::aim_at(const Look& look,
 }
 
 /// By chance; in previews a block draws one number, and its pixels take it a quarter apart.
-bool PixelLight::is_left_out(const RandomStream& stream, const Look& look) const {
+bool PixelLight::is_left_out(const RandomStream& stream, const Look& look) {
     if (look.chance >= 1.0)
         return false;
     if (!setup_.settings.is_preview)
@@ -82,7 +82,12 @@ bool PixelLight::is_left_out(const RandomStream& stream, const Look& look) const
     const double corner =
         0.25 * static_cast<double>((column_ & 1U) + 2U * ((row_ ^ column_) & 1U));
     const std::uint64_t block = probed_ + (std::uint64_t{unit_} << 40U);
-    const double u = stream.uniform(block, look.block + 0x20000U) + corner;
+    const std::uint32_t dimension = look.block + 0x20000U;
+    if (turns_of_ != dimension / 4) {
+        turns_of_ = dimension / 4;
+        turns_ = stream.uniform4(block, turns_of_);
+    }
+    const double u = turns_[dimension % 4] + corner;
     return u - std::floor(u) >= look.chance;
 }
 

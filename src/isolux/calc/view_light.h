@@ -66,7 +66,7 @@ private:
     [[nodiscard]] LightAim aim_at(const Look& look,
                                   const SeenSurface& seen,
                                   const std::array<std::uint32_t, 4>& words) const;
-    [[nodiscard]] bool is_left_out(const RandomStream& stream, const Look& look) const;
+    [[nodiscard]] bool is_left_out(const RandomStream& stream, const Look& look);
     [[nodiscard]] double expected_of(const LightLayer& layer) const noexcept;
     [[nodiscard]] bool is_wide_footprint() const noexcept;
     [[nodiscard]] double chance_of(double e, double total) const noexcept;
@@ -83,6 +83,8 @@ private:
     std::uint32_t replicate_, unit_;
     std::array<double, most_layers> visible_{};
     std::array<double, packet_size> arrived_{}; ///< of each look, nothing expected
+    std::uint32_t turns_of_ = ~0U;              ///< the four random numbers that turns_ holds
+    std::array<double, 4> turns_{};
     std::uint64_t rays_ = 0;
 };
 

@@ -6,21 +6,53 @@
 
 namespace isolux {
 
-void PilotLook::look() {
-    const std::size_t wanted = pilot_sight_lines(setup_.settings);
+BlockRays::BlockRays(const ViewSetup& setup, std::size_t column, std::size_t row)
+    : rays_a_pixel_(pilot_sight_lines(setup.settings)) {
+    for (std::size_t k = 0; k < random_.size(); ++k) {
+        const std::size_t x = column + k % 2;
+        const std::size_t y = row + k / 2;
+        if (x >= setup.size.columns || y >= setup.size.rows)
+            continue;
+        random_[k] = PointRandomness(
+            setup.settings.seed, StreamPurpose::pilot, 0, y * setup.size.columns + x);
+        for (std::size_t s = 0; s < rays_a_pixel_; ++s) {
+            PilotRay& ray = rays_[k * rays_a_pixel_ + s];
+            ray.numbers = NumberSequence(random_[k], static_cast<std::uint32_t>(s));
+            ray.line = sight_line_of(setup.camera, x, y, ray.numbers);
+        }
+    }
+    cast(setup.scene.caster);
+}
+
+void BlockRays::cast(const RayCaster& caster) {
+    static_assert(4 * most_pilot_samples <= packet_size);
+    std::array<SightLine, packet_size> lines;
+    std::array<std::optional<SurfaceHit>, packet_size> hits;
+    std::size_t count = 0;
+    for (const PilotRay& ray : rays_)
+        if (ray.line)
+            lines[count++] = *ray.line;
+    caster.find_first_hits16(std::span(lines).first(count), hits);
+    count = 0;
+    for (PilotRay& ray : rays_)
+        if (ray.line)
+            ray.hit = hits[count++];
+}
+
+void PilotLook::look(std::span<const PilotRay> rays) {
     thread_local EyePath passing;
-    for (std::uint32_t s = 0; s < wanted; ++s) {
+    for (std::size_t s = 0; s < rays.size(); ++s) {
         EyePath& path =
             keep_ != nullptr ? keep_->paths[keep_->index(column_, row_, s)] : passing;
-        NumberSequence numbers(random_, s);
-        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
+        NumberSequence numbers = rays[s].numbers;
         ++asked_;
-        if (!line) {
+        if (!rays[s].line) {
             path.luminaires = {};
             path.surfaces.clear();
             continue;
         }
-        follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
+        follow_eye(
+            setup_.scene, setup_.emission, *rays[s].line, numbers, path, rays_, &rays[s].hit);
         const SeenSurface* seen = primary_of(path);
         on_luminaire_ += luminance_sum(path.luminaires) > 0.0 ? 1U : 0U;
         has_more_ = has_more_ || path.surfaces.size() > (seen != nullptr ? 1U : 0U);

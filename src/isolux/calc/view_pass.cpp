@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "isolux/calc/view_light.h"
@@ -30,14 +31,29 @@ struct SharedLight {
         std::uint32_t object = 0; ///< 0: nothing found yet
         UnitVector3 normal;
         Rgb reflected; ///< lx
+    };
 
-        [[nodiscard]] bool is_for(std::uint32_t other, const UnitVector3& n) const noexcept {
-            return object != 0 && object == other && dot(normal, n) >= same_normal;
+    /// The last two surfaces of a block: along an edge they take turns.
+    struct Surfaces {
+        std::array<Found, 2> found;
+        std::size_t next = 0;
+
+        [[nodiscard]] const Found* find(std::uint32_t object,
+                                        const UnitVector3& normal) const noexcept {
+            for (const Found& f : found)
+                if (f.object == object && dot(f.normal, normal) >= same_normal)
+                    return &f;
+            return nullptr;
+        }
+
+        void keep(const Found& f) noexcept {
+            found[next] = f;
+            next = 1 - next;
         }
     };
 
-    Found traced; ///< next to edges, for blocks of four by four
-    Found local;  ///< elsewhere, for blocks of two by two
+    Surfaces traced; ///< next to edges, for blocks of four by four
+    Surfaces local;  ///< elsewhere, for blocks of two by two
 };
 
 /// No room for another block of passes.
@@ -70,14 +86,16 @@ public:
         const PointRandomness random(
             setup_.settings.seed, StreamPurpose::selection, replicate_, pixel_);
         NumberSequence numbers(random, unit_);
-        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
         if (seen_ != nullptr) {
             add(*seen_, numbers);
-        } else if (line) {
-            thread_local EyePath path;
-            follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
-            add(path, numbers);
+            return;
         }
+        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
+        if (!line)
+            return;
+        thread_local EyePath path;
+        follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
+        add(path, numbers);
     }
 
 private:
@@ -163,12 +181,12 @@ private:
         if (shared_ == nullptr)
             return reflected(seen, by, pixel_);
         const std::uint32_t object = object_of(setup_.scene, seen);
-        SharedLight::Found& found = is_near_edge ? shared_->traced : shared_->local;
-        if (found.is_for(object, seen.normal))
-            return found.reflected;
+        SharedLight::Surfaces& surfaces = is_near_edge ? shared_->traced : shared_->local;
+        if (const SharedLight::Found* found = surfaces.find(object, seen.normal))
+            return found->reflected;
         const Rgb e = reflected(seen, by, pixel_);
         if (is_finite(e))
-            found = {object, seen.normal, e};
+            surfaces.keep({object, seen.normal, e});
         return e;
     }
 

@@ -23,11 +23,15 @@ constexpr double most_grazing = 0.22;
 
 class PixelPilot {
 public:
-    PixelPilot(const ViewSetup& setup, std::size_t column, std::size_t row, SeenTile* seen)
+    PixelPilot(const ViewSetup& setup,
+               std::size_t column,
+               std::size_t row,
+               std::span<const PilotRay> rays,
+               SeenTile* seen)
         : setup_(setup), look_(setup, column, row, seen),
           is_probed_(!setup.settings.is_preview || (column % 2 == 0 && row % 2 == 0)),
           pixel_(look_.pixel()) {
-        look_.look();
+        look_.look(rays);
     }
 
     void write(PixelBuffers& buffers, PilotPlanes& pilot) {
@@ -229,10 +233,13 @@ void run_pilot(const ViewSetup& setup,
     const std::size_t end_column = std::min(setup.size.columns, first_column + tile_side);
     // By blocks of two by two, the pixel that previews probe first.
     for (std::size_t row = first_row; row < end_row; row += 2)
-        for (std::size_t column = first_column; column < end_column; column += 2)
+        for (std::size_t column = first_column; column < end_column; column += 2) {
+            const BlockRays rays(setup, column, row);
             for (std::size_t y = row; y < std::min(row + 2, end_row); ++y)
                 for (std::size_t x = column; x < std::min(column + 2, end_column); ++x)
-                    PixelPilot(setup, x, y, seen).write(buffers, pilot);
+                    PixelPilot(setup, x, y, rays.of(x - column, y - row), seen)
+                        .write(buffers, pilot);
+        }
 }
 
 } // namespace isolux

@@ -24,33 +24,43 @@ constexpr std::size_t large_picture = 2'000'000; ///< pixels
 constexpr std::size_t survey_side = 24;
 
 /// Luminaires by the light they send to what the view shows, brightest first.
+/// What each luminaire would send to what one ray shows, as it is reflected.
+std::vector<double>
+light_on_ray(const ViewSetup& setup, double x, double y, std::size_t number) {
+    std::vector<double> light(setup.light.luminaires(), 0.0);
+    const auto line = setup.camera.sight_line(x, y);
+    if (!line)
+        return light;
+    thread_local EyePath path;
+    std::uint64_t rays = 0;
+    const PointRandomness random(setup.settings.seed, StreamPurpose::pilot, 1, number);
+    NumberSequence numbers(random, 0);
+    follow_eye(setup.scene, setup.emission, *line, numbers, path, rays);
+    const SeenSurface* seen = primary_of(path);
+    for (std::size_t l = 0; seen != nullptr && l < light.size(); ++l)
+        light[l] = luminance_sum(seen->diffuse)
+                   * setup.light.unshadowed(l, seen->at, seen->normal, OpeningDetail::coarse);
+    return light;
+}
+
+/// Luminaires by the light they send to what the view shows, brightest first.
 std::vector<std::size_t> rank_luminaires(const ViewSetup& setup) {
     const std::size_t count = setup.light.luminaires();
+    std::vector<std::vector<double>> found(survey_side * survey_side);
+    for_each_index(found.size(), survey_side, [&](std::size_t k) {
+        const auto share = [](std::size_t i) {
+            return (static_cast<double>(i) + 0.5) / static_cast<double>(survey_side);
+        };
+        found[k] =
+            light_on_ray(setup,
+                         share(k % survey_side) * static_cast<double>(setup.size.columns),
+                         share(k / survey_side) * static_cast<double>(setup.size.rows),
+                         k);
+    });
     std::vector<double> sums(count, 0.0);
-    EyePath path;
-    std::uint64_t rays = 0;
-    for (std::size_t j = 0; j < survey_side; ++j)
-        for (std::size_t i = 0; i < survey_side; ++i) {
-            const auto share = [](std::size_t k) {
-                return (static_cast<double>(k) + 0.5) / static_cast<double>(survey_side);
-            };
-            const auto line =
-                setup.camera.sight_line(share(i) * static_cast<double>(setup.size.columns),
-                                        share(j) * static_cast<double>(setup.size.rows));
-            if (!line)
-                continue;
-            const PointRandomness random(
-                setup.settings.seed, StreamPurpose::pilot, 1, j * survey_side + i);
-            NumberSequence numbers(random, 0);
-            follow_eye(setup.scene, setup.emission, *line, numbers, path, rays);
-            const SeenSurface* seen = primary_of(path);
-            if (seen == nullptr)
-                continue;
-            for (std::size_t l = 0; l < count; ++l)
-                sums[l] +=
-                    luminance_sum(seen->diffuse)
-                    * setup.light.unshadowed(l, seen->at, seen->normal, OpeningDetail::coarse);
-        }
+    for (const std::vector<double>& light : found)
+        for (std::size_t l = 0; l < count; ++l)
+            sums[l] += light[l];
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

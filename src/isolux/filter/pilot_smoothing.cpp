@@ -42,6 +42,15 @@ Shift shift_of(PictureSize size, std::size_t y, int pass, std::ptrdiff_t r) noex
 void fill_slopes(PictureSize size, const std::vector<std::uint32_t>& object, Plane& slope_min) {
     Plane along_rows = slope_min;
     Plane result = slope_min;
+    // Most rows of most lights know nothing.
+    std::vector<std::uint8_t> is_known(size.rows, 0);
+    for_each_index(size.rows, 8, [&](std::size_t y) {
+        const float* const row = slope_min.data() + y * size.columns;
+        float largest = -1.0F;
+        for (std::size_t x = 0; x < size.columns; ++x)
+            largest = std::max(largest, row[x]);
+        is_known[y] = largest >= 0.0F ? 1 : 0;
+    });
     in_two_passes(size, [&](int pass, std::size_t y) {
         const float* const from =
             (pass == 0 ? slope_min : along_rows).data() + y * size.columns;
@@ -50,13 +59,14 @@ void fill_slopes(PictureSize size, const std::vector<std::uint32_t>& object, Pla
         std::copy_n(from, size.columns, to);
         for (std::ptrdiff_t r = -fill_radius; r <= fill_radius; ++r) {
             const Shift s = shift_of(size, y, pass, r);
-            const float* const other = from + s.away;
-            if (std::none_of(other + s.begin, other + s.end, [](float v) { return v >= 0.0F; }))
+            const std::size_t v = y + static_cast<std::size_t>(pass == 0 ? 0 : r);
+            if (s.begin >= s.end || is_known[v] == 0)
                 continue;
+            const float* const other = from + s.away;
             for (std::ptrdiff_t i = s.begin; i < s.end; ++i) {
-                const bool is_known = id[i + s.away] == id[i] && !(other[i] < 0.0F);
+                const bool counts = id[i + s.away] == id[i] && !(other[i] < 0.0F);
                 const float smallest = to[i] < 0.0F ? other[i] : std::min(to[i], other[i]);
-                to[i] = is_known ? smallest : to[i];
+                to[i] = counts ? smallest : to[i];
             }
         }
     });

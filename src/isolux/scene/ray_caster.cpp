@@ -204,6 +204,41 @@ std::optional<SurfaceHit> RayCaster::find_first_hit(const Point3& origin,
     return self.make_hit(from, direction, pane ? *pane : *wall, pane.has_value());
 }
 
+void RayCaster::find_first_hits16(std::span<const SightLine> lines,
+                                  std::span<std::optional<SurfaceHit>> hits) const noexcept {
+    ISOLUX_EXPECT(lines.size() <= packet_size && hits.size() >= lines.size());
+    const auto& self = *implementation_;
+    RayPacket packet{};
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        packet.set(i, {lines[i].eye - self.centre, lines[i].direction, 0.0, 1e30});
+    const std::uint32_t wanted = (1U << lines.size()) - 1U;
+    PacketHits walls;
+    PacketHits panes;
+    const std::uint32_t at_walls =
+        self.opaque_scene ? self.opaque_scene->find_first_hits(packet, wanted, walls) : 0U;
+    std::uint32_t at_panes = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if ((at_walls >> i & 1U) != 0)
+            packet.far[i] = walls.t[i];
+        const Vector3 from = lines[i].eye - self.centre;
+        const Vector3 end = from + static_cast<double>(packet.far[i]) * lines[i].direction;
+        at_panes |= self.pane_box.may_meet(from, end) ? 1U << i : 0U;
+    }
+    if (at_panes != 0)
+        at_panes = self.pane_scene->find_first_hits(packet, at_panes, panes);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool is_wall = (at_walls >> i & 1U) != 0;
+        const bool is_pane =
+            (at_panes >> i & 1U) != 0 && !(is_wall && panes.t[i] >= walls.t[i]);
+        hits[i].reset();
+        if (is_pane || is_wall)
+            hits[i] = self.make_hit(lines[i].eye - self.centre,
+                                    lines[i].direction,
+                                    is_pane ? panes[i] : walls[i],
+                                    is_pane);
+    }
+}
+
 Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
     const double step = Implementation::offset_at(p - implementation_->centre);
     return p + step * Vector3(UnitVector3(free_side));
