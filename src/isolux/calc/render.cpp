@@ -29,9 +29,10 @@ public:
     Rendering(const Scene& scene,
               const View& view,
               const RenderSettings& settings,
-              const Control& control)
+              const Control& control,
+              const PictureRows& rows)
         : view_(view), settings_(settings), control_(control),
-          denoiser_(load_denoiser(settings)), setup_(scene, view, settings_),
+          denoiser_(load_denoiser(settings)), setup_(scene, view, settings_, rows),
           buffers_(make_view_buffers(setup_)), sums_(setup_.size.pixels()) {
         const std::size_t n = setup_.size.pixels();
         pilot_.is_near_edge.assign(n, 0);
@@ -322,11 +323,12 @@ private:
 
 } // namespace
 
-ViewPicture render(const Scene& scene,
-                   const View& view,
-                   const RenderSettings& settings,
-                   const Control& control) {
-    return Rendering(scene, view, settings, control).run();
+ViewPicture render_rows(const Scene& scene,
+                        const View& view,
+                        const RenderSettings& settings,
+                        const Control& control,
+                        const PictureRows& rows) {
+    return Rendering(scene, view, settings, control, rows).run();
 }
 
 } // namespace isolux

@@ -40,7 +40,7 @@ std::array<double, packet_size> PixelLight::look_at(const SeenSurface& seen,
         visible[k] = looks[k].expected;
         if (is_left_out(stream, looks[k]))
             continue;
-        aims[k] = aim_at(looks[k], seen, stream.words(pixel_, looks[k].block));
+        aims[k] = aim_at(looks[k], seen, stream.words(setup_.number(pixel_), looks[k].block));
         sights[k] = aims[k].sight;
         wanted |= aims[k].share > 0.0 ? 1U << k : 0U;
     }
@@ -78,10 +78,11 @@ bool PixelLight::is_left_out(const RandomStream& stream, const Look& look) {
     if (look.chance >= 1.0)
         return false;
     if (!setup_.settings.is_preview)
-        return sobol_owen(unit_, 2, stream.words(pixel_, look.block)[2]) >= look.chance;
+        return sobol_owen(unit_, 2, stream.words(setup_.number(pixel_), look.block)[2])
+               >= look.chance;
     const double corner =
         0.25 * static_cast<double>((column_ & 1U) + 2U * ((row_ ^ column_) & 1U));
-    const std::uint64_t block = probed_ + (std::uint64_t{unit_} << 40U);
+    const std::uint64_t block = setup_.number(probed_) + (std::uint64_t{unit_} << 40U);
     const std::uint32_t dimension = look.block + 0x20000U;
     if (turns_of_ != dimension / 4) {
         turns_of_ = dimension / 4;
@@ -178,7 +179,7 @@ double PixelLight::faint_look(const SeenSurface& seen,
         return 0.0;
     const int members = std::popcount(mask);
     const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-    const auto words = stream.words(pixel_, 0xfffff2U);
+    const auto words = stream.words(setup_.number(pixel_), 0xfffff2U);
     auto pick = static_cast<int>(sobol_owen(unit_, 2, words[2]) * members);
     for (; pick > 0; --pick)
         mask &= mask - 1U;
@@ -207,7 +208,7 @@ PixelLight::Look PixelLight::merged_look(const SeenSurface& seen, double e) cons
         running.push_back(total);
     }
     const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-    const auto words = stream.words(pixel_, 0xfffff1U);
+    const auto words = stream.words(setup_.number(pixel_), 0xfffff1U);
     const double u = sobol_owen(unit_, 3, words[3]) * total;
     const auto it = std::upper_bound(running.begin(), running.end(), u);
     const auto m = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
@@ -264,7 +265,7 @@ Rgb PixelLight::mirrored(const SeenSurface& seen) {
     if (setup_.images.chains().empty())
         return {};
     const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-    const auto w = stream.words(pixel_, 0xfffff0U);
+    const auto w = stream.words(setup_.number(pixel_), 0xfffff0U);
     double u = sobol_owen(unit_, 0, w[0]);
     double weight = 1.0;
     if (setup_.settings.is_preview && !setup_.mirrored.is_strong()) {

@@ -13,12 +13,14 @@ BlockRays::BlockRays(const ViewSetup& setup, std::size_t column, std::size_t row
         const std::size_t y = row + k / 2;
         if (x >= setup.size.columns || y >= setup.size.rows)
             continue;
-        random_[k] = PointRandomness(
-            setup.settings.seed, StreamPurpose::pilot, 0, y * setup.size.columns + x);
+        random_[k] = PointRandomness(setup.settings.seed,
+                                     StreamPurpose::pilot,
+                                     0,
+                                     setup.number(y * setup.size.columns + x));
         for (std::size_t s = 0; s < rays_a_pixel_; ++s) {
             PilotRay& ray = rays_[k * rays_a_pixel_ + s];
             ray.numbers = NumberSequence(random_[k], static_cast<std::uint32_t>(s));
-            ray.line = sight_line_of(setup.camera, x, y, ray.numbers);
+            ray.line = sight_line_of(setup, x, y, ray.numbers);
         }
     }
     cast(setup.scene.caster);
@@ -109,7 +111,7 @@ SeenPlace PilotLook::place_of(std::size_t c) const noexcept {
 /// Where the line of sight through a place of the picture meets the tangent plane.
 std::optional<Point3>
 PilotLook::on_plane(const SeenPlace& p, double x, double y) const noexcept {
-    const auto line = setup_.camera.sight_line(x, y);
+    const auto line = setup_.camera.sight_line(x, y + static_cast<double>(setup_.first_row));
     if (!line)
         return std::nullopt;
     const double slope = dot(p.normal, line->direction);

@@ -51,7 +51,7 @@ public:
     PilotLook(const ViewSetup& setup, std::size_t column, std::size_t row, SeenTile* keep)
         : setup_(setup), keep_(keep), column_(column), row_(row),
           pixel_(row * setup.size.columns + column),
-          random_(setup.settings.seed, StreamPurpose::pilot, 0, pixel_) {}
+          random_(setup.settings.seed, StreamPurpose::pilot, 0, setup.number(pixel_)) {}
 
     void look(std::span<const PilotRay> rays);
 

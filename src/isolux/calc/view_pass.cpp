@@ -84,13 +84,13 @@ public:
     void take() {
         ++sums_.passes[pixel_];
         const PointRandomness random(
-            setup_.settings.seed, StreamPurpose::selection, replicate_, pixel_);
+            setup_.settings.seed, StreamPurpose::selection, replicate_, setup_.number(pixel_));
         NumberSequence numbers(random, unit_);
         if (seen_ != nullptr) {
             add(*seen_, numbers);
             return;
         }
-        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
+        const auto line = sight_line_of(setup_, column_, row_, numbers);
         if (!line)
             return;
         thread_local EyePath path;
@@ -113,7 +113,9 @@ private:
                 continue;
             const Rgb d = luminance_of(seen, light_.elsewhere(seen, numbers));
             const Rgb i = luminance_of(
-                seen, reflected(seen, ReflectedBy::mis, pixel_ + (s + 1) * further_surface));
+                seen,
+                reflected(
+                    seen, ReflectedBy::mis, setup_.number(pixel_) + (s + 1) * further_surface));
             direct += d;
             indirect += i;
             rest += d + i;
@@ -179,12 +181,12 @@ private:
                 : setup_.estimator.choose(seen, setup_.edge) == ReflectedBy::path_tracing;
         const ReflectedBy by = is_near_edge ? ReflectedBy::path_tracing : ReflectedBy::mis;
         if (shared_ == nullptr)
-            return reflected(seen, by, pixel_);
+            return reflected(seen, by, setup_.number(pixel_));
         const std::uint32_t object = object_of(setup_.scene, seen);
         SharedLight::Surfaces& surfaces = is_near_edge ? shared_->traced : shared_->local;
         if (const SharedLight::Found* found = surfaces.find(object, seen.normal))
             return found->reflected;
-        const Rgb e = reflected(seen, by, pixel_);
+        const Rgb e = reflected(seen, by, setup_.number(pixel_));
         if (is_finite(e))
             surfaces.keep({object, seen.normal, e});
         return e;

@@ -148,7 +148,7 @@ private:
     /// Shadow rays from the samples on the majority surface.
     void probe(std::size_t l, LightLayer& layer, bool is_merged) {
         const RandomStream stream(setup_.settings.seed, StreamPurpose::pilot, 2);
-        const auto words = stream.words(pixel_, static_cast<std::uint32_t>(l));
+        const auto words = stream.words(setup_.number(pixel_), static_cast<std::uint32_t>(l));
         std::size_t looks = 0;
         std::size_t occluded = 0;
         double low = std::numeric_limits<double>::infinity();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolux/calc/render.h"
+#include "isolux/calc/view_bands.h"
 #include "isolux/calc/view_sums.h"
 #include "isolux/transport/double_local_estimator.h"
 #include "isolux/transport/mirrored_light.h"
@@ -33,11 +34,17 @@ inline constexpr std::size_t rays_of_preview = 2;
 
 /// What every part of the renderer knows; nothing of it changes while a picture is made.
 struct ViewSetup {
-    ViewSetup(const Scene& scene, const View& view, const RenderSettings& settings);
+    /// @param rows  of the view's picture that are rendered: all, or a band of them
+    ViewSetup(const Scene& scene,
+              const View& view,
+              const RenderSettings& settings,
+              const PictureRows& rows);
 
     const Scene& scene;
     const RenderSettings& settings;
-    PictureSize size;
+    PictureSize whole;         ///< the view's picture
+    PictureSize size;          ///< what is rendered of it
+    std::size_t first_row = 0; ///< of it, in the picture: a multiple of tile_side
     CameraRays camera;
     Emission emission;
     MirrorImages images;
@@ -54,6 +61,11 @@ struct ViewSetup {
     std::size_t paths_a_slice = 128;
     EffectiveCounts counts;
     double edge = 0.0; ///< m, METHODS 11.3
+
+    /// Number of a pixel in the whole picture: its random numbers are the same in every band.
+    [[nodiscard]] std::uint64_t number(std::size_t pixel) const noexcept {
+        return std::uint64_t{pixel} + first_row * size.columns;
+    }
 
     /// The pixel whose pilot looked for occluders and edges on behalf of this one: previews
     /// probe every fourth, the first of a block of two by two.
@@ -148,7 +160,7 @@ void add_samples(const ViewSetup& setup,
 
 /// A ray through a pixel, spending a sample's first four numbers: two in the pixel, two on the
 /// lens. Nothing outside a fisheye's circle.
-[[nodiscard]] std::optional<SightLine> sight_line_of(const CameraRays& camera,
+[[nodiscard]] std::optional<SightLine> sight_line_of(const ViewSetup& setup,
                                                      std::size_t column,
                                                      std::size_t row,
                                                      NumberSequence& numbers) noexcept;

@@ -54,7 +54,7 @@ std::vector<std::size_t> rank_luminaires(const ViewSetup& setup) {
         found[k] =
             light_on_ray(setup,
                          share(k % survey_side) * static_cast<double>(setup.size.columns),
-                         share(k / survey_side) * static_cast<double>(setup.size.rows),
+                         share(k / survey_side) * static_cast<double>(setup.whole.rows),
                          k);
     });
     std::vector<double> sums(count, 0.0);
@@ -100,14 +100,19 @@ LightLayer layer_of(const ViewSetup& setup, std::size_t l) {
 
 } // namespace
 
-ViewSetup::ViewSetup(const Scene& of, const View& view, const RenderSettings& asked)
-    : scene(of), settings(asked), size{view.camera.columns, view.camera.rows},
-      camera(view.camera), emission(of), images(of), light(of, emission),
+ViewSetup::ViewSetup(const Scene& of,
+                     const View& view,
+                     const RenderSettings& asked,
+                     const PictureRows& rows)
+    : scene(of),
+      settings(asked), whole{view.camera.columns, view.camera.rows}, size{view.camera.columns,
+                                                                          rows.count},
+      first_row(rows.first), camera(view.camera), emission(of), images(of), light(of, emission),
       mirrored(of, emission, images), estimator(of, emission, images),
       detail(asked.is_preview ? OpeningDetail::coarse : OpeningDetail::fine) {
     // Few pixels are worth few paths.
-    if (size.pixels() < 65536)
-        slices_a_side = size.pixels() < 4096 ? 2 : 4;
+    if (whole.pixels() < 65536)
+        slices_a_side = whole.pixels() < 4096 ? 2 : 4;
     const double slices = static_cast<double>(slices_a_side * slices_a_side);
     const double paths = static_cast<double>(paths_a_slice);
     double vertices_per_path = 1.0;
@@ -125,7 +130,8 @@ ViewSetup::ViewSetup(const Scene& of, const View& view, const RenderSettings& as
     edge = std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / (paths * slices)));
 
     const std::vector<std::size_t> order = rank_luminaires(*this);
-    const std::size_t most = size.pixels() > large_picture ? most_layers_if_large : most_layers;
+    const std::size_t most =
+        whole.pixels() > large_picture ? most_layers_if_large : most_layers;
     const std::size_t own = order.size() <= most ? order.size() : most - 1;
     single.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(own));
     merged.assign(order.begin() + static_cast<std::ptrdiff_t>(own), order.end());
@@ -172,7 +178,7 @@ build_caches(const ViewSetup& setup, std::uint32_t replicate, std::uint64_t unit
     return caches;
 }
 
-std::optional<SightLine> sight_line_of(const CameraRays& camera,
+std::optional<SightLine> sight_line_of(const ViewSetup& setup,
                                        std::size_t column,
                                        std::size_t row,
                                        NumberSequence& numbers) noexcept {
@@ -180,8 +186,10 @@ std::optional<SightLine> sight_line_of(const CameraRays& camera,
     const double v = numbers.next();
     const double lens_u = numbers.next();
     const double lens_v = numbers.next();
-    return camera.sight_line(
-        static_cast<double>(column) + u, static_cast<double>(row) + v, lens_u, lens_v);
+    return setup.camera.sight_line(static_cast<double>(column) + u,
+                                   static_cast<double>(setup.first_row + row) + v,
+                                   lens_u,
+                                   lens_v);
 }
 
 const SeenSurface* primary_of(const EyePath& path) noexcept {
