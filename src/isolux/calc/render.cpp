@@ -6,8 +6,8 @@
 #include <ctime>
 
 #include "isolux/base/parallel.h"
+#include "isolux/calc/view_finish.h"
 #include "isolux/calc/view_render.h"
-#include "isolux/filter/axis_aligned.h"
 #include "isolux/filter/denoiser.h"
 
 namespace isolux {
@@ -217,50 +217,22 @@ private:
         picture.albedo = std::move(sums_.albedo);
         picture.illuminance = std::move(sums_.illuminance);
         picture.indirect = subtract(picture.raw, picture.direct, picture.emission);
-        picture.bytes_a_pixel = bytes_held();
+        picture.bytes_a_pixel = bytes_held(buffers_);
         sums_.replicate.clear();
         picture.is_preview = settings_.is_preview;
         picture.interrupted = interrupted_;
         const double before = cpu_seconds();
-        if (settings_.filter == PictureFilter::axis_aligned)
-            filter_along_surfaces(picture);
-        take_geometry(picture);
+        if (settings_.filter == PictureFilter::axis_aligned) {
+            report("filtering", 1.0);
+            filter_along_surfaces(buffers_, picture);
+        }
+        take_geometry(setup_.scene, buffers_, picture);
         if (denoiser_)
             denoise(picture);
         picture.filter_cpu_seconds = cpu_seconds() - before;
         picture.wall_seconds = seconds();
         picture.cpu_seconds = cpu_seconds() - cpu_start_;
         return picture;
-    }
-
-    void filter_along_surfaces(ViewPicture& picture) {
-        report("filtering", 1.0);
-        double passes = 0.0;
-        for (const float s : picture.samples)
-            passes += static_cast<double>(s);
-        const double samples =
-            std::max(1.0, passes / static_cast<double>(setup_.size.pixels()));
-        FilterSettings settings =
-            settings_.is_preview ? preview_filter(samples) : picture_filter();
-        settings.samples = samples;
-        FilteredPicture filtered = filter_picture(buffers_, settings);
-        picture.filtered = std::move(filtered.colour);
-        picture.filtered_error = std::move(filtered.standard_error);
-        picture.filter_width = std::move(filtered.width_indirect);
-        picture.filter = "axis-aligned";
-        // What reaches the eye over what the surface reflects of it.
-        const PixelGeometry& g = buffers_.geometry;
-        picture.filtered_illuminance.assign(setup_.size.pixels(), 0.0F);
-        for_each_index(setup_.size.pixels(), grain, [&](std::size_t i) {
-            const Rgb reflected = g.first.reflected_a.colour(i) + g.first.reflected_b.colour(i)
-                                  + g.second.reflected_a.colour(i)
-                                  + g.second.reflected_b.colour(i);
-            const double share = 0.5 * luminance_sum(reflected);
-            if (share > 0.0)
-                picture.filtered_illuminance[i] = static_cast<float>(
-                    luminance_sum(filtered.direct.colour(i) + filtered.indirect.colour(i))
-                    / share);
-        });
     }
 
     void denoise(ViewPicture& picture) {
@@ -272,31 +244,6 @@ private:
         picture.filtered = denoiser_->apply(
             {picture.size, &picture.raw, &picture.albedo, &picture.normal, is_noise_free});
         picture.filter = "oidn";
-    }
-
-    void take_geometry(ViewPicture& picture) {
-        PixelGeometry& g = buffers_.geometry;
-        picture.normal = std::move(g.first.normal);
-        picture.position = std::move(g.position);
-        picture.depth = std::move(g.depth);
-        picture.object = std::move(g.first.object);
-        for_each_index(setup_.size.pixels(), grain, [&](std::size_t i) {
-            if (picture.object[i] == 0)
-                return;
-            picture.position.x[i] += static_cast<float>(g.origin.x);
-            picture.position.y[i] += static_cast<float>(g.origin.y);
-            picture.position.z[i] += static_cast<float>(g.origin.z);
-        });
-        for (const Surface& s : setup_.scene.surfaces)
-            picture.object_names.push_back(s.name);
-    }
-
-    [[nodiscard]] std::size_t bytes_held() const noexcept {
-        constexpr std::size_t sums = 4 * 3 + 1 + picture_replicates; // floats
-        constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
-        return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
-               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1 + sizeof(float)
-               + 3; // the plan of samples
     }
 
     const View& view_;

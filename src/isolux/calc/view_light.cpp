@@ -269,7 +269,7 @@ Rgb PixelLight::mirrored(const SeenSurface& seen) {
     double u = sobol_owen(unit_, 0, w[0]);
     double weight = 1.0;
     if (setup_.settings.is_preview && !setup_.mirrored.is_strong()) {
-        constexpr double asked = 0.125;
+        constexpr double asked = 0.0625;
         if (u >= asked)
             return {};
         u /= asked;

@@ -47,7 +47,7 @@ public:
     /// matters, one of them if it is faint.
     Rgb elsewhere(const SeenSurface& seen, NumberSequence& numbers);
 
-    /// Straight light that comes by imaged mirrors; previews ask every eighth ray.
+    /// Straight light that comes by imaged mirrors; previews ask every sixteenth ray.
     [[nodiscard]] Rgb mirrored(const SeenSurface& seen);
 
 private:

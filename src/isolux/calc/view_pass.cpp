@@ -53,7 +53,7 @@ struct SharedLight {
     };
 
     Surfaces traced; ///< next to edges, for blocks of four by four
-    Surfaces local;  ///< elsewhere, for blocks of two by two
+    Surfaces local;  ///< elsewhere, for blocks of four by two
 };
 
 /// No room for another block of passes.
@@ -166,6 +166,8 @@ private:
         add_to(is_a_ ? buffers_.indirect.a : buffers_.indirect.b, pixel_, smooth);
         for (std::size_t k = 0; k < light_.visible().size(); ++k) {
             LightLayer& layer = buffers_.lights[k];
+            if (!(layer.unshadowed_first[pixel_] > 0.0F))
+                continue; // nothing to see: 1, whatever the samples
             (is_a_ ? layer.visible_a : layer.visible_b)[pixel_] += narrow(light_.visible()[k]);
         }
         sums_.illuminance[pixel_] +=
@@ -272,11 +274,11 @@ void add_samples(const ViewSetup& setup,
         for (std::size_t column = first_column; column < end_column; column += traced_side) {
             SharedLight shared;
             for (std::size_t k = 0; k < pixels; ++k) {
-                // Two by two within four by four: the bits of k are x, y, x, y.
+                // Four by two within four by four: the bits of k are x, y, x, y.
                 const std::size_t turned = k ^ (pass * 7U % pixels);
                 const std::size_t x = column + (turned & 1U) + (turned >> 1U & 2U);
                 const std::size_t y = row + (turned >> 1U & 1U) + (turned >> 2U & 2U);
-                if (k % 4 == 0)
+                if (k % 8 == 0)
                     shared.local = {};
                 if (x < end_column && y < end_row)
                     sample(x, y, &shared);

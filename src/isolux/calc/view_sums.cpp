@@ -49,10 +49,11 @@ void divide_pixel(PixelBuffers& buffers, std::size_t i, std::size_t passes) noex
     scale(buffers.remainder_b, i, inverse_of(of_b));
     scale(buffers.indirect.a, i, inverse_of(g.samples_a[i]));
     scale(buffers.indirect.b, i, inverse_of(g.samples_b[i]));
-    const auto mean_of = [](float sum, float samples) {
-        return samples > 0.0F ? sum / samples : 1.0F;
-    };
     for (LightLayer& layer : buffers.lights) {
+        const bool is_lit = layer.unshadowed_first[i] > 0.0F;
+        const auto mean_of = [&](float sum, float samples) {
+            return is_lit && samples > 0.0F ? sum / samples : 1.0F;
+        };
         layer.visible_a[i] = mean_of(layer.visible_a[i], g.samples_a[i]);
         layer.visible_b[i] = mean_of(layer.visible_b[i], g.samples_b[i]);
     }

@@ -35,11 +35,19 @@ bool is_site(const PixelGeometry& g, const FilterSettings& settings, std::size_t
     return g.first.object[i] != 0 && (settings.with_half_sites ? in_a || in_b : in_a && in_b);
 }
 
+/// Sites without a place yet.
+FilterSites sites_without_width(PictureSize size) {
+    FilterSites sites;
+    sites.size = size;
+    for (Plane* plane : {&sites.narrowness, &sites.columns, &sites.rows})
+        plane->assign(size.pixels(), 0.0F);
+    return sites;
+}
+
 FilterSites sites_in_world(const PixelGeometry& geometry,
                            PictureSize size,
                            const FilterSettings& settings) {
-    FilterSites sites;
-    sites.size = size;
+    FilterSites sites = sites_without_width(size);
     sites.position = geometry.position;
     sites.normal = geometry.first.normal;
     sites.object = geometry.first.object;
@@ -47,8 +55,6 @@ FilterSites sites_in_world(const PixelGeometry& geometry,
         if (!is_site(geometry, settings, i))
             sites.object[i] = 0;
     });
-    for (Plane* plane : {&sites.narrowness, &sites.columns, &sites.rows})
-        plane->assign(size.pixels(), 0.0F);
     return sites;
 }
 
@@ -56,7 +62,7 @@ FilterSites sites_of_light(const PixelGeometry& geometry,
                            PictureSize size,
                            const LightLayer& light,
                            const FilterSettings& settings) {
-    FilterSites sites = sites_in_world(geometry, size, settings);
+    FilterSites sites = sites_without_width(size);
     sites.central = true;
     const auto sigma = [](double side) {
         return static_cast<float>(std::max(side / std::sqrt(12.0), smallest_sigma));
@@ -65,12 +71,19 @@ FilterSites sites_of_light(const PixelGeometry& geometry,
     sites.scale_y = sigma(light.side_b);
     sites.half_side_x = static_cast<float>(0.5 * light.side_t);
     sites.half_side_y = static_cast<float>(0.5 * light.side_b);
+    sites.position.assign(size.pixels(), 0.0F);
+    sites.normal.assign(size.pixels(), 0.0F);
+    sites.object.assign(size.pixels(), 0);
     const Vector3 to_centre = light.centre - geometry.origin;
     for_each_index(size.pixels(), grain, [&](std::size_t i) {
-        sites.position.set(i, light.frame.to_local(sites.position.vector(i) - to_centre));
-        sites.normal.set(i, light.frame.to_local(sites.normal.vector(i)));
-        if (!(sites.position.z[i] > 0.0F) || !(light.unshadowed_first[i] > 0.0F))
-            sites.object[i] = 0;
+        if (!(light.unshadowed_first[i] > 0.0F) || !is_site(geometry, settings, i))
+            return;
+        const Vector3 at = light.frame.to_local(geometry.position.vector(i) - to_centre);
+        if (!(at.z > 0.0))
+            return;
+        sites.object[i] = geometry.first.object[i];
+        sites.position.set(i, at);
+        sites.normal.set(i, light.frame.to_local(geometry.first.normal.vector(i)));
     });
     return sites;
 }

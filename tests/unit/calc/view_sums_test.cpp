@@ -13,6 +13,7 @@ PixelBuffers half_a_pixel() {
     buffers.geometry.samples_a[0] = 1.0F;
     buffers.geometry.first.reflected_a.set(0, Rgb::grey(0.2));
     buffers.indirect.a.set(0, Rgb{100.0, 200.0, 300.0});
+    buffers.lights[0].unshadowed_first[0] = 50.0F;
     buffers.lights[0].visible_a[0] = 0.25F;
     buffers.lights[0].visible_b[0] = 0.0F;
     return buffers;
@@ -32,6 +33,14 @@ TEST(PictureSums, LetAHalfWithoutASampleTakeTheOthersValues) {
     // Its share of the pixel stays none: what the surface reflects is no noisy quantity.
     EXPECT_EQ(buffers.geometry.first.reflected_b.x[0], 0.0F);
     EXPECT_EQ(buffers.geometry.samples_b[0], 0.0F);
+}
+
+TEST(PictureSums, CallALightFullyVisibleThatSendsNothing) {
+    PixelBuffers buffers = half_a_pixel();
+    buffers.lights[0].unshadowed_first[0] = 0.0F;
+    two_passes().divide(buffers);
+    EXPECT_EQ(buffers.lights[0].visible_a[0], 1.0F);
+    EXPECT_EQ(buffers.lights[0].visible_b[0], 1.0F);
 }
 
 TEST(PictureSums, KeepBothHalvesWhereBothHaveSamples) {
