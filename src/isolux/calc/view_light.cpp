@@ -18,7 +18,7 @@ constexpr double always_looked_at = 0.04;
 /// In previews no luminaire is looked at more often than this; the pixels of a block take
 /// turns.
 constexpr double always_looked_at_in_preview = 0.08;
-constexpr double largest_chance_in_preview = 0.25;
+constexpr double largest_chance_in_preview = 0.125;
 constexpr double least_chance = 0.05;
 
 /// A mirrored surface that makes up this much of the picture has all luminaires looked at.

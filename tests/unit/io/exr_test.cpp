@@ -1,8 +1,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "isolux/base/error.h"
 #include "isolux/io/exr.h"
@@ -19,7 +21,9 @@ protected:
 
     ~Exr() override { fs::remove_all(folder_); }
 
-    fs::path folder_ = fs::temp_directory_path() / "isolux-exr-test";
+    fs::path folder_ =
+        fs::temp_directory_path()
+        / ("isolux-exr-test-" + std::to_string(::getpid())); // tests run side by side
     fs::path file_ = folder_ / "view.exr";
 };
 
