@@ -10,6 +10,7 @@
 #include "isolux/base/parallel.h"
 #include "isolux/calc/luminance.h"
 #include "isolux/calc/render.h"
+#include "isolux/calc/view_bands.h"
 
 #include "support/statistics.h"
 #include "support/test_scene.h"
@@ -219,22 +220,87 @@ TEST(RenderedPicture, HasTheSameBitsForAnyNumberOfThreads) {
     View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 40, 24);
     view.camera.lens_radius = 0.02;
     for (const std::size_t samples : {4, 16}) { // even and uneven counts
-        const auto with = [&](std::size_t threads) {
-            const ThreadLimit limit(threads);
-            return render(scene, view, settings_of(samples, PictureFilter::axis_aligned));
-        };
-        const ViewPicture one = with(1);
-        ASSERT_FALSE(one.filtered.x.empty());
-        for (const std::size_t threads : {2, 7}) {
-            const ViewPicture other = with(threads);
-            EXPECT_EQ(one.raw.x, other.raw.x);
-            EXPECT_EQ(one.raw.z, other.raw.z);
-            EXPECT_EQ(one.filtered.y, other.filtered.y);
-            EXPECT_EQ(one.standard_error, other.standard_error);
-            EXPECT_EQ(one.filter_width, other.filter_width);
-            EXPECT_EQ(one.depth, other.depth);
-            EXPECT_EQ(one.samples, other.samples);
+        for (const bool is_preview : {false, true}) {
+            const auto with = [&](std::size_t threads) {
+                const ThreadLimit limit(threads);
+                RenderSettings settings = settings_of(samples, PictureFilter::axis_aligned);
+                settings.is_preview = is_preview;
+                return render(scene, view, settings);
+            };
+            const ViewPicture one = with(1);
+            ASSERT_FALSE(one.filtered.x.empty());
+            for (const std::size_t threads : {2, 7}) {
+                const ViewPicture other = with(threads);
+                EXPECT_EQ(one.raw.x, other.raw.x);
+                EXPECT_EQ(one.raw.z, other.raw.z);
+                EXPECT_EQ(one.filtered.y, other.filtered.y);
+                EXPECT_EQ(one.standard_error, other.standard_error);
+                EXPECT_EQ(one.filter_width, other.filter_width);
+                EXPECT_EQ(one.depth, other.depth);
+                EXPECT_EQ(one.samples, other.samples);
+            }
         }
+    }
+}
+
+/// In bands of rows, a picture is what it is in one piece.
+TEST(RenderedPicture, HasTheSameBitsInBands) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 12, 400);
+    for (const PictureFilter filter : {PictureFilter::none, PictureFilter::axis_aligned}) {
+        RenderSettings settings = settings_of(4, filter);
+        const ViewPicture whole = render(scene, view, settings);
+        settings.pixels_at_once = 1000;
+        ASSERT_EQ(bands_of(view.camera, settings).size(), 3U);
+        const ViewPicture joined = render(scene, view, settings);
+        EXPECT_EQ(whole.raw.y, joined.raw.y);
+        EXPECT_EQ(whole.standard_error, joined.standard_error);
+        // What lies beyond a band's margin has chosen widths of pixels the filter reads.
+        ASSERT_EQ(whole.filtered.y.size(), joined.filtered.y.size());
+        for (std::size_t i = 0; i < whole.filtered.y.size(); ++i) {
+            ASSERT_NEAR(whole.filtered.y[i], joined.filtered.y[i], 5e-4 * whole.filtered.y[i])
+                << i;
+            ASSERT_NEAR(whole.filtered_error[i], joined.filtered_error[i], 1e-3) << i;
+        }
+        EXPECT_EQ(whole.position.z, joined.position.z);
+        EXPECT_EQ(whole.object, joined.object);
+        EXPECT_EQ(whole.samples, joined.samples);
+        EXPECT_NEAR(whole.error, joined.error, 1e-5 * whole.error);
+        EXPECT_EQ(whole.object_names, joined.object_names);
+    }
+}
+
+TEST(PictureBands, CoverAllRowsOnceAndLookBeyond) {
+    Camera camera;
+    camera.columns = 4096;
+    camera.rows = 4096;
+    const auto bands = bands_of(camera, settings_of(4, PictureFilter::axis_aligned));
+    std::size_t next = 0;
+    for (const PictureBand& b : bands) {
+        EXPECT_EQ(b.kept.first, next);
+        next += b.kept.count;
+        EXPECT_EQ(b.rendered.first % 16, 0U);
+        EXPECT_EQ(b.rendered.first, b.kept.first - std::min<std::size_t>(b.kept.first, 96));
+        EXPECT_EQ(b.rendered.first + b.rendered.count, std::min<std::size_t>(4096, next + 96));
+        EXPECT_LE(b.rendered.count * 4096, 4'200'000U);
+    }
+    EXPECT_EQ(next, 4096U);
+    EXPECT_GT(bands.size(), 1U);
+    camera.lens_radius = 0.01;
+    EXPECT_EQ(bands_of(camera, settings_of(4, PictureFilter::axis_aligned)).size(), 1U);
+    EXPECT_GT(bands_of(camera, settings_of(4, PictureFilter::none)).size(), 1U);
+    EXPECT_EQ(bands_of(camera, settings_of(4, PictureFilter::oidn)).size(), 1U);
+}
+
+TEST(RenderedPreview, TakesAsManySamplesAsAskedInEveryPixel) {
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 37, 19);
+    for (const std::size_t samples : {2, 3, 9}) {
+        RenderSettings settings = settings_of(samples, PictureFilter::axis_aligned);
+        settings.is_preview = true;
+        const ViewPicture p = render(corner(), view, settings);
+        EXPECT_FALSE(p.interrupted);
+        for (const float n : p.samples)
+            ASSERT_EQ(n, static_cast<float>(samples));
     }
 }
 

@@ -44,6 +44,10 @@ ThreadLimit::ThreadLimit(std::size_t threads)
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 
+std::size_t allowed_threads() noexcept {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 std::size_t hardware_threads() noexcept {
     return std::max<std::size_t>(1, std::thread::hardware_concurrency());
 }

@@ -21,6 +21,9 @@ template <class F> void for_each_index(std::size_t count, std::size_t grain, F&&
     });
 }
 
+/// Threads that work may use now: those of the machine, or of the limit in force.
+[[nodiscard]] std::size_t allowed_threads() noexcept;
+
 /// Limits the number of worker threads while it lives. 0 means all the machine has.
 class ThreadLimit {
 public:

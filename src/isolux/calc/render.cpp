@@ -6,8 +6,8 @@
 #include <ctime>
 
 #include "isolux/base/parallel.h"
+#include "isolux/calc/view_finish.h"
 #include "isolux/calc/view_render.h"
-#include "isolux/filter/axis_aligned.h"
 #include "isolux/filter/denoiser.h"
 
 namespace isolux {
@@ -29,9 +29,10 @@ public:
     Rendering(const Scene& scene,
               const View& view,
               const RenderSettings& settings,
-              const Control& control)
+              const Control& control,
+              const PictureRows& rows)
         : view_(view), settings_(settings), control_(control),
-          denoiser_(load_denoiser(settings)), setup_(scene, view, settings_),
+          denoiser_(load_denoiser(settings)), setup_(scene, view, settings_, rows),
           buffers_(make_view_buffers(setup_)), sums_(setup_.size.pixels()) {
         const std::size_t n = setup_.size.pixels();
         pilot_.is_near_edge.assign(n, 0);
@@ -39,19 +40,22 @@ public:
         pilot_.has_more.assign(n, 0);
         pilot_.has_luminaire.assign(n, 0);
         pilot_.reflected.assign(n, 0.0F);
-        for (LightLayer& layer : buffers_.lights) {
-            layer.visible_a.assign(n, 0.0F);
-            layer.visible_b.assign(n, 0.0F);
-        }
+        for_each_index(buffers_.lights.size(), 1, [&](std::size_t k) {
+            buffers_.lights[k].visible_a.assign(n, 0.0F);
+            buffers_.lights[k].visible_b.assign(n, 0.0F);
+        });
     }
 
     ViewPicture run() {
         const std::size_t samples = std::clamp<std::size_t>(settings_.samples, 2, most_samples);
+        passes_ = static_cast<std::uint32_t>(samples);
+        wanted_ = static_cast<double>(samples * setup_.size.pixels());
+        plan_.active = {setup_.size.pixels()};
         if (!walk_pilot())
             return finish();
         make_plan(static_cast<double>(samples));
         std::size_t next_check = 2 * picture_replicates;
-        for (std::uint32_t pass = 0; pass < passes_; ++pass) {
+        for (std::uint32_t pass = passes_done_; pass < passes_; ++pass) {
             if (!run_pass(pass))
                 break;
             // Complete sets of replicates only, at doublings.
@@ -73,23 +77,39 @@ private:
         return OpenImageDenoise();
     }
 
+    /// Previews take their first samples on the way, along the pilot's rays.
     bool walk_pilot() {
-        constexpr std::size_t rows_at_once = 32;
-        for (std::size_t row = 0; row < setup_.size.rows; row += rows_at_once) {
+        const std::uint32_t first_passes = settings_.is_preview ? rays_of_preview : 0;
+        for (std::uint32_t pass = 0; pass < first_passes; ++pass)
+            prepare_caches(pass, 0);
+        for (std::size_t row = 0; row < tiles_.rows; row += tile_rows_at_once) {
             if (must_stop())
                 return false;
-            report("pilot", 0.0);
-            run_pilot(
-                setup_, row, std::min(setup_.size.rows, row + rows_at_once), buffers_, pilot_);
+            const double share = static_cast<double>(row) / static_cast<double>(tiles_.rows);
+            report("pilot", settings_.is_preview ? share : 0.0);
+            for_tiles(row, [&](std::size_t first_column, std::size_t first_row) {
+                thread_local SeenTile seen;
+                SeenTile* const keep = settings_.is_preview ? &seen : nullptr;
+                run_pilot(setup_, first_column, first_row, buffers_, pilot_, keep);
+                for (std::uint32_t pass = 0; pass < first_passes; ++pass)
+                    run_tile(pass, 0, first_column, first_row, keep);
+            });
         }
+        passes_done_ = first_passes;
+        taken_ = static_cast<double>(first_passes * setup_.size.pixels());
         return true;
+    }
+
+    /// Calls f(first_column, first_row) for the tiles of some rows of them, in parallel.
+    template <class F> void for_tiles(std::size_t first, F&& f) const {
+        const std::size_t rows = std::min(tile_rows_at_once, tiles_.rows - first);
+        for_each_index(rows * tiles_.columns, 1, [&](std::size_t t) {
+            f(t % tiles_.columns * tile_side, (first + t / tiles_.columns) * tile_side);
+        });
     }
 
     /// Pictures that are filtered along surfaces get their samples where they are needed.
     void make_plan(double samples) {
-        passes_ = static_cast<std::uint32_t>(samples);
-        wanted_ = samples * static_cast<double>(setup_.size.pixels());
-        plan_.active = {setup_.size.pixels()};
         const bool is_even = settings_.filter != PictureFilter::axis_aligned
                              || settings_.is_preview || samples < least_planned;
         if (!is_even) {
@@ -107,8 +127,24 @@ private:
     bool run_pass(std::uint32_t pass) {
         if (must_stop())
             return false;
-        const std::uint32_t replicate = pass % picture_replicates;
         const std::size_t block = pass / picture_replicates % plan_.active.size();
+        prepare_caches(pass, block);
+        for (std::size_t first = 0; first < tiles_.rows; first += tile_rows_at_once) {
+            if (must_stop())
+                return false;
+            const double share = static_cast<double>(first) / static_cast<double>(tiles_.rows);
+            report("rendering",
+                   (taken_ + share * static_cast<double>(plan_.active[block])) / wanted_);
+            for_tiles(first, [&](std::size_t first_column, std::size_t first_row) {
+                run_tile(pass, block, first_column, first_row, nullptr);
+            });
+        }
+        taken_ += static_cast<double>(plan_.active[block]);
+        return true;
+    }
+
+    void prepare_caches(std::uint32_t pass, std::size_t block) {
+        const std::uint32_t replicate = pass % picture_replicates;
         std::vector<VertexCache>& caches = caches_[replicate];
         // Few pixels go on with other slices of the paths they have.
         constexpr std::size_t many = 4;
@@ -117,30 +153,24 @@ private:
             caches = build_caches(setup_, replicate, pass / picture_replicates);
             used_[replicate] = 0;
         }
-        const std::size_t tile_columns = (setup_.size.columns + tile_side - 1) / tile_side;
-        const std::size_t tile_rows = (setup_.size.rows + tile_side - 1) / tile_side;
-        for (std::size_t first = 0; first < tile_rows; first += tile_rows_at_once) {
-            if (must_stop())
-                return false;
-            const double share = static_cast<double>(first) / static_cast<double>(tile_rows);
-            report("rendering",
-                   (taken_ + share * static_cast<double>(plan_.active[block])) / wanted_);
-            const std::size_t end = std::min(tile_rows, first + tile_rows_at_once);
-            for_each_index((end - first) * tile_columns, 1, [&](std::size_t t) {
-                add_samples(setup_,
-                            pass,
-                            plan_,
-                            block,
-                            caches,
-                            t % tile_columns * tile_side,
-                            (first + t / tile_columns) * tile_side,
-                            pilot_,
-                            buffers_,
-                            sums_);
-            });
-        }
-        taken_ += static_cast<double>(plan_.active[block]);
-        return true;
+    }
+
+    void run_tile(std::uint32_t pass,
+                  std::size_t block,
+                  std::size_t first_column,
+                  std::size_t first_row,
+                  const SeenTile* seen) {
+        add_samples(setup_,
+                    pass,
+                    plan_,
+                    block,
+                    caches_[pass % picture_replicates],
+                    first_column,
+                    first_row,
+                    pilot_,
+                    buffers_,
+                    sums_,
+                    seen);
     }
 
     [[nodiscard]] bool must_stop() {
@@ -187,47 +217,22 @@ private:
         picture.albedo = std::move(sums_.albedo);
         picture.illuminance = std::move(sums_.illuminance);
         picture.indirect = subtract(picture.raw, picture.direct, picture.emission);
-        picture.bytes_a_pixel = bytes_held();
+        picture.bytes_a_pixel = bytes_held(buffers_);
         sums_.replicate.clear();
         picture.is_preview = settings_.is_preview;
         picture.interrupted = interrupted_;
         const double before = cpu_seconds();
-        if (settings_.filter == PictureFilter::axis_aligned)
-            filter_along_surfaces(picture);
-        take_geometry(picture);
+        if (settings_.filter == PictureFilter::axis_aligned) {
+            report("filtering", 1.0);
+            filter_along_surfaces(buffers_, picture);
+        }
+        take_geometry(setup_.scene, buffers_, picture);
         if (denoiser_)
             denoise(picture);
         picture.filter_cpu_seconds = cpu_seconds() - before;
         picture.wall_seconds = seconds();
         picture.cpu_seconds = cpu_seconds() - cpu_start_;
         return picture;
-    }
-
-    void filter_along_surfaces(ViewPicture& picture) {
-        report("filtering", 1.0);
-        FilterSettings settings = settings_.is_preview ? preview_filter() : picture_filter();
-        double passes = 0.0;
-        for (const float s : picture.samples)
-            passes += static_cast<double>(s);
-        settings.samples = std::max(1.0, passes / static_cast<double>(setup_.size.pixels()));
-        FilteredPicture filtered = filter_picture(buffers_, settings);
-        picture.filtered = std::move(filtered.colour);
-        picture.filtered_error = std::move(filtered.standard_error);
-        picture.filter_width = std::move(filtered.width_indirect);
-        picture.filter = "axis-aligned";
-        // What reaches the eye over what the surface reflects of it.
-        const PixelGeometry& g = buffers_.geometry;
-        picture.filtered_illuminance.assign(setup_.size.pixels(), 0.0F);
-        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
-            const Rgb reflected = g.first.reflected_a.colour(i) + g.first.reflected_b.colour(i)
-                                  + g.second.reflected_a.colour(i)
-                                  + g.second.reflected_b.colour(i);
-            const double share = 0.5 * luminance_sum(reflected);
-            if (share > 0.0)
-                picture.filtered_illuminance[i] = static_cast<float>(
-                    luminance_sum(filtered.direct.colour(i) + filtered.indirect.colour(i))
-                    / share);
-        }
     }
 
     void denoise(ViewPicture& picture) {
@@ -241,31 +246,6 @@ private:
         picture.filter = "oidn";
     }
 
-    void take_geometry(ViewPicture& picture) {
-        PixelGeometry& g = buffers_.geometry;
-        picture.normal = std::move(g.first.normal);
-        picture.position = std::move(g.position);
-        picture.depth = std::move(g.depth);
-        picture.object = std::move(g.first.object);
-        for (std::size_t i = 0; i < setup_.size.pixels(); ++i) {
-            if (picture.object[i] == 0)
-                continue;
-            picture.position.x[i] += static_cast<float>(g.origin.x);
-            picture.position.y[i] += static_cast<float>(g.origin.y);
-            picture.position.z[i] += static_cast<float>(g.origin.z);
-        }
-        for (const Surface& s : setup_.scene.surfaces)
-            picture.object_names.push_back(s.name);
-    }
-
-    [[nodiscard]] std::size_t bytes_held() const noexcept {
-        constexpr std::size_t sums = 4 * 3 + 1 + picture_replicates; // floats
-        constexpr std::size_t results = 3 + 1 + 1 + 3 + 3;           // indirect, ..., filtered
-        return bytes_a_pixel(buffers_) + (sums + results) * sizeof(float)
-               + sizeof(std::uint16_t) + sizeof(std::uint32_t) + 1 + sizeof(float)
-               + 3; // the plan of samples
-    }
-
     const View& view_;
     RenderSettings settings_;
     const Control& control_;
@@ -273,11 +253,14 @@ private:
     double cpu_start_ = cpu_seconds();
     std::optional<OpenImageDenoise> denoiser_;
     ViewSetup setup_;
+    PictureSize tiles_{(setup_.size.columns + tile_side - 1) / tile_side,
+                       (setup_.size.rows + tile_side - 1) / tile_side};
     PixelBuffers buffers_;
     PilotPlanes pilot_;
     SamplePlan plan_;
     std::uint32_t passes_ = 0;
-    double wanted_ = 0.0; ///< samples, of all pixels together
+    std::uint32_t passes_done_ = 0; ///< with the pilot
+    double wanted_ = 0.0;           ///< samples, of all pixels together
     double taken_ = 0.0;
     std::array<std::vector<VertexCache>, picture_replicates> caches_;
     std::array<std::size_t, picture_replicates> used_{}; ///< pixels that used them
@@ -287,11 +270,12 @@ private:
 
 } // namespace
 
-ViewPicture render(const Scene& scene,
-                   const View& view,
-                   const RenderSettings& settings,
-                   const Control& control) {
-    return Rendering(scene, view, settings, control).run();
+ViewPicture render_rows(const Scene& scene,
+                        const View& view,
+                        const RenderSettings& settings,
+                        const Control& control,
+                        const PictureRows& rows) {
+    return Rendering(scene, view, settings, control, rows).run();
 }
 
 } // namespace isolux

@@ -27,6 +27,9 @@ struct RenderSettings {
     bool is_preview = false; ///< a coarse pilot and wide filters, for speed
     std::uint64_t seed = 1;
     bool direct_only = false; ///< no reflected light
+    /// Larger pictures are rendered in bands of rows, for their memory; denoised ones never
+    /// are.
+    std::size_t pixels_at_once = 4'000'000;
 };
 
 /// Renders a view: luminance by double local estimation, METHODS "Pictures". The same bits for

@@ -138,12 +138,14 @@ private:
         const std::size_t x = std::min(setup_.size.columns - 1, column + probe_spacing / 2);
         const std::size_t y = std::min(setup_.size.rows - 1, row + probe_spacing / 2);
         const std::size_t pixel = y * setup_.size.columns + x;
-        const auto line = setup_.camera.sight_line(static_cast<double>(x) + 0.5,
-                                                   static_cast<double>(y) + 0.5);
+        const auto line = setup_.camera.sight_line(
+            static_cast<double>(x) + 0.5, static_cast<double>(setup_.first_row + y) + 0.5);
         if (!line)
             return;
-        const PointRandomness random(
-            setup_.settings.seed, StreamPurpose::selection, probe_replicate, pixel);
+        const PointRandomness random(setup_.settings.seed,
+                                     StreamPurpose::selection,
+                                     probe_replicate,
+                                     setup_.number(pixel));
         NumberSequence numbers(random, 0);
         follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays);
         const SeenSurface* seen = primary_of(path);
@@ -154,14 +156,14 @@ private:
         double squares = 0.0;
         for (std::uint32_t k = 0; k < tries; ++k) {
             const VertexCache& cache = caches[(number + 5U * k) % caches.size()];
-            const double e = luminance_sum(
-                setup_.estimator.reflected(*seen,
-                                           by,
-                                           cache,
-                                           setup_.counts,
-                                           effort_of_a_sample,
-                                           {setup_.settings.seed, probe_replicate, k, pixel},
-                                           rays));
+            const double e = luminance_sum(setup_.estimator.reflected(
+                *seen,
+                by,
+                cache,
+                setup_.counts,
+                effort_of_a_sample,
+                {setup_.settings.seed, probe_replicate, k, setup_.number(pixel)},
+                rays));
             if (!std::isfinite(e))
                 return;
             sum += e;

@@ -18,7 +18,7 @@ constexpr double always_looked_at = 0.04;
 /// In previews no luminaire is looked at more often than this; the pixels of a block take
 /// turns.
 constexpr double always_looked_at_in_preview = 0.08;
-constexpr double largest_chance_in_preview = 0.5;
+constexpr double largest_chance_in_preview = 0.125;
 constexpr double least_chance = 0.05;
 
 /// A mirrored surface that makes up this much of the picture has all luminaires looked at.
@@ -40,12 +40,7 @@ std::array<double, packet_size> PixelLight::look_at(const SeenSurface& seen,
         visible[k] = looks[k].expected;
         if (is_left_out(stream, looks[k]))
             continue;
-        const auto words = stream.words(pixel_, looks[k].block);
-        aims[k] = setup_.light.aim(looks[k].luminaire,
-                                   seen.at,
-                                   seen.normal,
-                                   sobol_owen(unit_, 0, words[0]),
-                                   sobol_owen(unit_, 1, words[1]));
+        aims[k] = aim_at(looks[k], seen, stream.words(setup_.number(pixel_), looks[k].block));
         sights[k] = aims[k].sight;
         wanted |= aims[k].share > 0.0 ? 1U << k : 0U;
     }
@@ -55,27 +50,45 @@ std::array<double, packet_size> PixelLight::look_at(const SeenSurface& seen,
         std::span(sights).first(looks.size()), wanted, std::span(passed).first(looks.size()));
     rays_ += static_cast<std::uint64_t>(std::popcount(wanted));
     for (std::size_t k = 0; k < looks.size(); ++k) {
-        if ((wanted >> k & 1U) == 0)
-            continue;
+        const double surprise = static_cast<double>(passed[k]) - looks[k].expected;
+        if ((wanted >> k & 1U) == 0 || (surprise == 0.0 && setup_.settings.is_preview))
+            continue; // previews have no use for what arrived
         const double weight = setup_.light.weight(aims[k]) / looks[k].chance;
         arrived_[k] = static_cast<double>(passed[k]) * weight / looks[k].unshadowed;
-        const double surprise = static_cast<double>(passed[k]) - looks[k].expected;
         if (surprise != 0.0)
             visible[k] += surprise * weight / looks[k].unshadowed;
     }
     return visible;
 }
 
+LightAim PixelLight::aim_at(const Look& look,
+                            const SeenSurface& seen,
+                            const std::array<std::uint32_t, 4>& words) const {
+    return setup_.light.aim(look.luminaire,
+                            seen.at,
+                            seen.normal,
+                            sobol_owen(unit_, 0, words[0]),
+                            sobol_owen(unit_, 1, words[1]),
+                            setup_.settings.is_preview ? OpeningDraw::area
+                                                       : OpeningDraw::solid_angle);
+}
+
 /// By chance; in previews a block draws one number, and its pixels take it a quarter apart.
-bool PixelLight::is_left_out(const RandomStream& stream, const Look& look) const {
+bool PixelLight::is_left_out(const RandomStream& stream, const Look& look) {
     if (look.chance >= 1.0)
         return false;
     if (!setup_.settings.is_preview)
-        return sobol_owen(unit_, 2, stream.words(pixel_, look.block)[2]) >= look.chance;
+        return sobol_owen(unit_, 2, stream.words(setup_.number(pixel_), look.block)[2])
+               >= look.chance;
     const double corner =
         0.25 * static_cast<double>((column_ & 1U) + 2U * ((row_ ^ column_) & 1U));
-    const std::uint64_t block = probed_ + (std::uint64_t{unit_} << 40U);
-    const double u = stream.uniform(block, look.block + 0x20000U) + corner;
+    const std::uint64_t block = setup_.number(probed_) + (std::uint64_t{unit_} << 40U);
+    const std::uint32_t dimension = look.block + 0x20000U;
+    if (turns_of_ != dimension / 4) {
+        turns_of_ = dimension / 4;
+        turns_ = stream.uniform4(block, turns_of_);
+    }
+    const double u = turns_[dimension % 4] + corner;
     return u - std::floor(u) >= look.chance;
 }
 
@@ -107,14 +120,15 @@ double PixelLight::chance_of(double e, double total) const noexcept {
 }
 
 Rgb PixelLight::in_layers(const SeenSurface& seen, Shown shown, Rgb& faint) {
-    visible_.assign(buffers_.lights.size(), 1.0);
+    visible_.fill(1.0);
+    const std::size_t layers = buffers_.lights.size();
     const auto unshadowed = [&](std::size_t k) {
         const LightLayer& layer = buffers_.lights[k];
         return static_cast<double>(shown == Shown::first ? layer.unshadowed_first[pixel_]
                                                          : layer.unshadowed_second[pixel_]);
     };
     double total = 0.0;
-    for (std::size_t k = 0; k < visible_.size(); ++k)
+    for (std::size_t k = 0; k < layers; ++k)
         total += unshadowed(k);
     const bool is_wide = is_wide_footprint();
     std::array<Look, packet_size> looks;
@@ -132,7 +146,7 @@ Rgb PixelLight::in_layers(const SeenSurface& seen, Shown shown, Rgb& faint) {
                           static_cast<std::uint32_t>(k)};
     }
     if (!setup_.merged.empty()) {
-        const std::size_t last = visible_.size() - 1;
+        const std::size_t last = layers - 1;
         const double e = unshadowed(last);
         if (e > 0.0) {
             layer_of[count] = last;
@@ -165,7 +179,7 @@ double PixelLight::faint_look(const SeenSurface& seen,
         return 0.0;
     const int members = std::popcount(mask);
     const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-    const auto words = stream.words(pixel_, 0xfffff2U);
+    const auto words = stream.words(setup_.number(pixel_), 0xfffff2U);
     auto pick = static_cast<int>(sobol_owen(unit_, 2, words[2]) * members);
     for (; pick > 0; --pick)
         mask &= mask - 1U;
@@ -194,7 +208,7 @@ PixelLight::Look PixelLight::merged_look(const SeenSurface& seen, double e) cons
         running.push_back(total);
     }
     const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-    const auto words = stream.words(pixel_, 0xfffff1U);
+    const auto words = stream.words(setup_.number(pixel_), 0xfffff1U);
     const double u = sobol_owen(unit_, 3, words[3]) * total;
     const auto it = std::upper_bound(running.begin(), running.end(), u);
     const auto m = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
@@ -251,11 +265,11 @@ Rgb PixelLight::mirrored(const SeenSurface& seen) {
     if (setup_.images.chains().empty())
         return {};
     const RandomStream stream(setup_.settings.seed, StreamPurpose::direct, replicate_);
-    const auto w = stream.words(pixel_, 0xfffff0U);
+    const auto w = stream.words(setup_.number(pixel_), 0xfffff0U);
     double u = sobol_owen(unit_, 0, w[0]);
     double weight = 1.0;
     if (setup_.settings.is_preview && !setup_.mirrored.is_strong()) {
-        constexpr double asked = 0.25;
+        constexpr double asked = 0.0625;
         if (u >= asked)
             return {};
         u /= asked;

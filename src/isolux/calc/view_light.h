@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "isolux/calc/view_render.h"
 
@@ -24,10 +23,7 @@ public:
                std::uint32_t replicate,
                std::uint32_t unit)
         : setup_(setup), pilot_(pilot), buffers_(buffers), column_(column), row_(row),
-          pixel_(row * setup.size.columns + column),
-          probed_(setup.settings.is_preview ? (row & ~std::size_t{1}) * setup.size.columns
-                                                  + (column & ~std::size_t{1})
-                                            : pixel_),
+          pixel_(row * setup.size.columns + column), probed_(setup.probed_by(pixel_)),
           replicate_(replicate), unit_(unit) {}
 
     /// The pixel whose pilot looked for occluders and edges: previews probe every fourth, the
@@ -40,7 +36,9 @@ public:
     Rgb in_layers(const SeenSurface& seen, Shown shown, Rgb& faint);
 
     /// Of each layer, after in_layers.
-    [[nodiscard]] const std::vector<double>& visible() const noexcept { return visible_; }
+    [[nodiscard]] std::span<const double> visible() const noexcept {
+        return std::span(visible_).first(buffers_.lights.size());
+    }
 
     /// Direct light on a surface that is none of the pixel's two: every luminaire.
     Rgb on(const SeenSurface& seen);
@@ -49,7 +47,7 @@ public:
     /// matters, one of them if it is faint.
     Rgb elsewhere(const SeenSurface& seen, NumberSequence& numbers);
 
-    /// Straight light that comes by imaged mirrors; previews ask every fourth ray.
+    /// Straight light that comes by imaged mirrors; previews ask every sixteenth ray.
     [[nodiscard]] Rgb mirrored(const SeenSurface& seen);
 
 private:
@@ -65,7 +63,10 @@ private:
 
     std::array<double, packet_size> look_at(const SeenSurface& seen,
                                             std::span<const Look> looks);
-    [[nodiscard]] bool is_left_out(const RandomStream& stream, const Look& look) const;
+    [[nodiscard]] LightAim aim_at(const Look& look,
+                                  const SeenSurface& seen,
+                                  const std::array<std::uint32_t, 4>& words) const;
+    [[nodiscard]] bool is_left_out(const RandomStream& stream, const Look& look);
     [[nodiscard]] double expected_of(const LightLayer& layer) const noexcept;
     [[nodiscard]] bool is_wide_footprint() const noexcept;
     [[nodiscard]] double chance_of(double e, double total) const noexcept;
@@ -80,8 +81,10 @@ private:
     const PixelBuffers& buffers_;
     std::size_t column_, row_, pixel_, probed_;
     std::uint32_t replicate_, unit_;
-    std::vector<double> visible_;
+    std::array<double, most_layers> visible_{};
     std::array<double, packet_size> arrived_{}; ///< of each look, nothing expected
+    std::uint32_t turns_of_ = ~0U;              ///< the four random numbers that turns_ holds
+    std::array<double, 4> turns_{};
     std::uint64_t rays_ = 0;
 };
 

@@ -6,16 +6,55 @@
 
 namespace isolux {
 
-void PilotLook::look() {
-    const std::size_t wanted = pilot_sight_lines(setup_.settings);
-    thread_local EyePath path;
-    for (std::uint32_t s = 0; s < wanted; ++s) {
-        NumberSequence numbers(random_, s);
-        const auto line = sight_line_of(setup_.camera, column_, row_, numbers);
-        ++asked_;
-        if (!line)
+BlockRays::BlockRays(const ViewSetup& setup, std::size_t column, std::size_t row)
+    : rays_a_pixel_(pilot_sight_lines(setup.settings)) {
+    for (std::size_t k = 0; k < random_.size(); ++k) {
+        const std::size_t x = column + k % 2;
+        const std::size_t y = row + k / 2;
+        if (x >= setup.size.columns || y >= setup.size.rows)
             continue;
-        follow_eye(setup_.scene, setup_.emission, *line, numbers, path, rays_);
+        random_[k] = PointRandomness(setup.settings.seed,
+                                     StreamPurpose::pilot,
+                                     0,
+                                     setup.number(y * setup.size.columns + x));
+        for (std::size_t s = 0; s < rays_a_pixel_; ++s) {
+            PilotRay& ray = rays_[k * rays_a_pixel_ + s];
+            ray.numbers = NumberSequence(random_[k], static_cast<std::uint32_t>(s));
+            ray.line = sight_line_of(setup, x, y, ray.numbers);
+        }
+    }
+    cast(setup.scene.caster);
+}
+
+void BlockRays::cast(const RayCaster& caster) {
+    static_assert(4 * most_pilot_samples <= packet_size);
+    std::array<SightLine, packet_size> lines;
+    std::array<std::optional<SurfaceHit>, packet_size> hits;
+    std::size_t count = 0;
+    for (const PilotRay& ray : rays_)
+        if (ray.line)
+            lines[count++] = *ray.line;
+    caster.find_first_hits16(std::span(lines).first(count), hits);
+    count = 0;
+    for (PilotRay& ray : rays_)
+        if (ray.line)
+            ray.hit = hits[count++];
+}
+
+void PilotLook::look(std::span<const PilotRay> rays) {
+    thread_local EyePath passing;
+    for (std::size_t s = 0; s < rays.size(); ++s) {
+        EyePath& path =
+            keep_ != nullptr ? keep_->paths[keep_->index(column_, row_, s)] : passing;
+        NumberSequence numbers = rays[s].numbers;
+        ++asked_;
+        if (!rays[s].line) {
+            path.luminaires = {};
+            path.surfaces.clear();
+            continue;
+        }
+        follow_eye(
+            setup_.scene, setup_.emission, *rays[s].line, numbers, path, rays_, &rays[s].hit);
         const SeenSurface* seen = primary_of(path);
         on_luminaire_ += luminance_sum(path.luminaires) > 0.0 ? 1U : 0U;
         has_more_ = has_more_ || path.surfaces.size() > (seen != nullptr ? 1U : 0U);
@@ -72,7 +111,7 @@ SeenPlace PilotLook::place_of(std::size_t c) const noexcept {
 /// Where the line of sight through a place of the picture meets the tangent plane.
 std::optional<Point3>
 PilotLook::on_plane(const SeenPlace& p, double x, double y) const noexcept {
-    const auto line = setup_.camera.sight_line(x, y);
+    const auto line = setup_.camera.sight_line(x, y + static_cast<double>(setup_.first_row));
     if (!line)
         return std::nullopt;
     const double slope = dot(p.normal, line->direction);
@@ -126,14 +165,9 @@ void PilotLook::write_geometry(PixelBuffers& buffers) const {
     if (!setup_.camera.has_lens())
         return;
     double low = std::numeric_limits<double>::infinity();
-    double high = 0.0;
-    for (std::size_t s = 0; s < used_; ++s) {
-        const double r = std::abs(setup_.camera.lens_shift(samples_[s].depth_on_axis));
-        low = std::min(low, r);
-        high = std::max(high, r);
-    }
+    for (std::size_t s = 0; s < used_; ++s)
+        low = std::min(low, std::abs(setup_.camera.lens_shift(samples_[s].depth_on_axis)));
     g.lens_shift_min[pixel_] = static_cast<float>(low);
-    g.lens_shift_max[pixel_] = static_cast<float>(high);
 }
 
 void PilotLook::write_plan(PilotPlanes& pilot) const {

@@ -16,14 +16,44 @@ struct SeenPlace {
     UnitVector3 normal;
 };
 
+/// A ray of the pilot: where it looks, and what it meets first.
+struct PilotRay {
+    NumberSequence numbers; ///< for what comes next
+    std::optional<SightLine> line;
+    std::optional<SurfaceHit> hit;
+};
+
+/// The pilot's rays through a block of up to two by two pixels, cast together.
+class BlockRays {
+public:
+    /// @param column, row  of the block's first pixel
+    BlockRays(const ViewSetup& setup, std::size_t column, std::size_t row);
+    BlockRays(const BlockRays&) = delete;
+    BlockRays& operator=(const BlockRays&) = delete;
+
+    /// Those of one pixel. @param x, y  0 or 1
+    [[nodiscard]] std::span<const PilotRay> of(std::size_t x, std::size_t y) const noexcept {
+        return std::span(rays_).subspan((2 * y + x) * rays_a_pixel_, rays_a_pixel_);
+    }
+
+private:
+    void cast(const RayCaster& caster);
+
+    std::size_t rays_a_pixel_;
+    std::array<PointRandomness, 4> random_;
+    std::array<PilotRay, 4 * most_pilot_samples> rays_;
+};
+
 /// The pilot's rays through one pixel and the two surfaces that most of them meet.
 class PilotLook {
 public:
-    PilotLook(const ViewSetup& setup, std::size_t column, std::size_t row)
-        : setup_(setup), column_(column), row_(row), pixel_(row * setup.size.columns + column),
-          random_(setup.settings.seed, StreamPurpose::pilot, 0, pixel_) {}
+    /// @param keep  takes what the rays showed, if given
+    PilotLook(const ViewSetup& setup, std::size_t column, std::size_t row, SeenTile* keep)
+        : setup_(setup), keep_(keep), column_(column), row_(row),
+          pixel_(row * setup.size.columns + column),
+          random_(setup.settings.seed, StreamPurpose::pilot, 0, setup.number(pixel_)) {}
 
-    void look();
+    void look(std::span<const PilotRay> rays);
 
     [[nodiscard]] std::size_t pixel() const noexcept { return pixel_; }
 
@@ -81,6 +111,7 @@ private:
     void write_steps(PixelGeometry& g) const;
 
     const ViewSetup& setup_;
+    SeenTile* keep_;
     std::size_t column_, row_, pixel_;
     PointRandomness random_;
     std::uint64_t rays_ = 0;

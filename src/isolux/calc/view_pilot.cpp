@@ -2,8 +2,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "isolux/base/parallel.h"
 #include "isolux/calc/view_look.h"
 #include "isolux/calc/view_render.h"
 #include "isolux/sampling/sobol.h"
@@ -23,11 +23,15 @@ constexpr double most_grazing = 0.22;
 
 class PixelPilot {
 public:
-    PixelPilot(const ViewSetup& setup, std::size_t column, std::size_t row)
-        : setup_(setup), look_(setup, column, row),
+    PixelPilot(const ViewSetup& setup,
+               std::size_t column,
+               std::size_t row,
+               std::span<const PilotRay> rays,
+               SeenTile* seen)
+        : setup_(setup), look_(setup, column, row, seen),
           is_probed_(!setup.settings.is_preview || (column % 2 == 0 && row % 2 == 0)),
           pixel_(look_.pixel()) {
-        look_.look();
+        look_.look(rays);
     }
 
     void write(PixelBuffers& buffers, PilotPlanes& pilot) {
@@ -45,9 +49,9 @@ public:
 private:
     void write_lights(PixelBuffers& buffers, PilotPlanes& pilot) {
         const SeenPlace first = look_.first_place();
-        std::vector<double>& e = light_on(first);
+        std::uint32_t faint = faint_in_block(buffers, pilot, first);
+        const std::vector<double>& e = light_on(first, faint);
         const double least = least_of(e);
-        std::uint32_t faint = 0;
         for (std::size_t k = 0; k < setup_.single.size(); ++k) {
             if (e[k] <= least) {
                 faint |= e[k] > 0.0 ? 1U << k : 0U;
@@ -64,7 +68,7 @@ private:
                 probe_merged(first, layer);
         }
         if (look_.has_second()) {
-            const std::vector<double>& s = light_on(look_.second_place());
+            const std::vector<double>& s = light_on(look_.second_place(), 0);
             const double least_second = least_of(s);
             for (std::size_t k = 0; k < s.size(); ++k) {
                 const bool is_faint = k < setup_.single.size() && s[k] <= least_second;
@@ -82,7 +86,6 @@ private:
         const auto places = look_.on_first();
         const std::size_t wanted = pilot_sight_lines(setup_.settings);
         double low = std::numeric_limits<double>::infinity();
-        double high = 0.0;
         for (std::size_t d = 0; d < wanted; ++d) {
             const SeenSurface& seen = places[d % places.size()];
             const auto dd = static_cast<std::uint32_t>(d);
@@ -95,10 +98,8 @@ private:
             if (!hit)
                 continue;
             low = std::min(low, hit->distance);
-            high = std::max(high, hit->distance);
         }
         indirect.z_min[pixel_] = static_cast<float>(low);
-        indirect.z_max[pixel_] = static_cast<float>(high);
     }
 
     [[nodiscard]] bool is_near_edge() const noexcept {
@@ -114,12 +115,28 @@ private:
         return total * (setup_.settings.is_preview ? least_share_of_preview : least_share);
     }
 
-    /// Unshadowed illuminance of every layer on a surface; the merged one last.
-    std::vector<double>& light_on(const SeenPlace& p) {
+    /// Luminaires that are known to be faint here: those that are so in the block's probed
+    /// pixel, where it shows the same surface.
+    [[nodiscard]] std::uint32_t faint_in_block(const PixelBuffers& buffers,
+                                               const PilotPlanes& pilot,
+                                               const SeenPlace& p) const noexcept {
+        const PixelSurface& first = buffers.geometry.first;
+        const std::size_t probed = setup_.probed_by(look_.pixel());
+        const bool is_same = probed != pixel_ && first.object[probed] == first.object[pixel_]
+                             && dot(first.normal.vector(probed), p.normal) >= same_normal;
+        return is_same ? pilot.faint[probed] & 0xffffU : 0U;
+    }
+
+    /// Unshadowed illuminance of every layer on a surface, 0 of those whose bit is set in
+    /// `left_out`; the merged one last.
+    const std::vector<double>& light_on(const SeenPlace& p, std::uint32_t left_out) {
         thread_local std::vector<double> e;
         e.clear();
-        for (const std::size_t l : setup_.single)
-            e.push_back(setup_.light.unshadowed(l, p.at, p.normal, setup_.detail));
+        for (std::size_t k = 0; k < setup_.single.size(); ++k)
+            e.push_back(
+                (left_out >> k & 1U) != 0
+                    ? 0.0
+                    : setup_.light.unshadowed(setup_.single[k], p.at, p.normal, setup_.detail));
         if (!setup_.merged.empty()) {
             e.push_back(0.0);
             for (const std::size_t l : setup_.merged)
@@ -131,11 +148,10 @@ private:
     /// Shadow rays from the samples on the majority surface.
     void probe(std::size_t l, LightLayer& layer, bool is_merged) {
         const RandomStream stream(setup_.settings.seed, StreamPurpose::pilot, 2);
-        const auto words = stream.words(pixel_, static_cast<std::uint32_t>(l));
+        const auto words = stream.words(setup_.number(pixel_), static_cast<std::uint32_t>(l));
         std::size_t looks = 0;
         std::size_t occluded = 0;
         double low = std::numeric_limits<double>::infinity();
-        double high = -1.0;
         std::array<LightAim, most_pilot_samples> aims;
         std::array<SightSegment, most_pilot_samples> sights;
         std::array<float, most_pilot_samples> visible{};
@@ -158,11 +174,8 @@ private:
         for (std::size_t k = 0; k < looks; ++k) {
             if ((wanted >> k & 1U) == 0 || visible[k] > 0.0F)
                 continue;
-            const OccluderSlopes slopes =
-                setup_.light.find_occluders(aims[k], places[k], rays_);
             ++occluded;
-            low = std::min(low, slopes.nearest_surface);
-            high = std::max(high, slopes.nearest_light);
+            low = std::min(low, setup_.light.occluder_slope(aims[k], places[k], rays_));
         }
         if (!is_merged)
             layer.occluded[pixel_] = static_cast<float>((static_cast<double>(occluded) + 0.5)
@@ -172,7 +185,6 @@ private:
         const auto smallest = static_cast<float>(low);
         float& slope_min = layer.slope_min[pixel_];
         slope_min = slope_min < 0.0F ? smallest : std::min(slope_min, smallest);
-        layer.slope_max[pixel_] = std::max(layer.slope_max[pixel_], static_cast<float>(high));
     }
 
     /// The narrowest penumbra of the merged luminaires that matter here.
@@ -182,7 +194,7 @@ private:
         for (const std::size_t l : setup_.merged) {
             if (setup_.light.unshadowed(l, p.at, p.normal, OpeningDetail::coarse) < least)
                 continue;
-            layer.slope_min[pixel_] = layer.slope_max[pixel_] = -1.0F;
+            layer.slope_min[pixel_] = -1.0F;
             probe(l, layer, true);
             const float slope = layer.slope_min[pixel_];
             if (slope < 0.0F)
@@ -194,7 +206,7 @@ private:
                                    / std::sqrt(12.0) * static_cast<double>(slope) / k_mu);
             narrowest = narrowest > 0.0F ? std::min(narrowest, width) : width;
         }
-        layer.slope_min[pixel_] = layer.slope_max[pixel_] = -1.0F;
+        layer.slope_min[pixel_] = -1.0F;
         layer.merged_width[pixel_] = narrowest;
     }
 
@@ -208,16 +220,26 @@ private:
 } // namespace
 
 void run_pilot(const ViewSetup& setup,
+               std::size_t first_column,
                std::size_t first_row,
-               std::size_t end_row,
                PixelBuffers& buffers,
-               PilotPlanes& pilot) {
-    for_each_index(end_row - first_row, 1, [&](std::size_t r) {
-        const std::size_t row = first_row + r;
-        for (std::size_t column = 0; column < setup.size.columns; ++column) {
-            PixelPilot(setup, column, row).write(buffers, pilot);
+               PilotPlanes& pilot,
+               SeenTile* seen) {
+    if (seen != nullptr) {
+        *seen = {first_column, first_row, std::move(seen->paths)};
+        seen->paths.resize(tile_side * tile_side * rays_of_preview);
+    }
+    const std::size_t end_row = std::min(setup.size.rows, first_row + tile_side);
+    const std::size_t end_column = std::min(setup.size.columns, first_column + tile_side);
+    // By blocks of two by two, the pixel that previews probe first.
+    for (std::size_t row = first_row; row < end_row; row += 2)
+        for (std::size_t column = first_column; column < end_column; column += 2) {
+            const BlockRays rays(setup, column, row);
+            for (std::size_t y = row; y < std::min(row + 2, end_row); ++y)
+                for (std::size_t x = column; x < std::min(column + 2, end_column); ++x)
+                    PixelPilot(setup, x, y, rays.of(x - column, y - row), seen)
+                        .write(buffers, pilot);
         }
-    });
 }
 
 } // namespace isolux

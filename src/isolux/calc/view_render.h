@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "isolux/calc/render.h"
+#include "isolux/calc/view_bands.h"
 #include "isolux/calc/view_sums.h"
 #include "isolux/transport/double_local_estimator.h"
 #include "isolux/transport/mirrored_light.h"
@@ -14,25 +15,36 @@
 /// The parts of the renderer: what they share, the pilot, one pass over the picture.
 namespace isolux {
 
+/// Layers of luminaires' light.
+inline constexpr std::size_t most_layers = 16;
+
 /// Pixels of a side of the tiles that are worked on at a time.
 inline constexpr std::size_t tile_side = 16;
 
 /// Work at a surface that a ray shows.
 inline constexpr SeenEffort effort_of_a_sample{4, 1, 4};
-inline constexpr SeenEffort effort_of_a_preview{4, 1, 2};
+inline constexpr SeenEffort effort_of_a_preview{4, 1, 8};
 
-/// Pilot rays a pixel; previews make do with fewer.
+/// Pilot rays a pixel; previews make do with fewer, along which they take their first samples.
+inline constexpr std::size_t rays_of_preview = 2;
+
 [[nodiscard]] inline std::size_t pilot_sight_lines(const RenderSettings& settings) noexcept {
-    return settings.is_preview ? 2 : 4;
+    return settings.is_preview ? rays_of_preview : 4;
 }
 
 /// What every part of the renderer knows; nothing of it changes while a picture is made.
 struct ViewSetup {
-    ViewSetup(const Scene& scene, const View& view, const RenderSettings& settings);
+    /// @param rows  of the view's picture that are rendered: all, or a band of them
+    ViewSetup(const Scene& scene,
+              const View& view,
+              const RenderSettings& settings,
+              const PictureRows& rows);
 
     const Scene& scene;
     const RenderSettings& settings;
-    PictureSize size;
+    PictureSize whole;         ///< the view's picture
+    PictureSize size;          ///< what is rendered of it
+    std::size_t first_row = 0; ///< of it, in the picture: a multiple of tile_side
     CameraRays camera;
     Emission emission;
     MirrorImages images;
@@ -49,6 +61,21 @@ struct ViewSetup {
     std::size_t paths_a_slice = 128;
     EffectiveCounts counts;
     double edge = 0.0; ///< m, METHODS 11.3
+
+    /// Number of a pixel in the whole picture: its random numbers are the same in every band.
+    [[nodiscard]] std::uint64_t number(std::size_t pixel) const noexcept {
+        return std::uint64_t{pixel} + first_row * size.columns;
+    }
+
+    /// The pixel whose pilot looked for occluders and edges on behalf of this one: previews
+    /// probe every fourth, the first of a block of two by two.
+    [[nodiscard]] std::size_t probed_by(std::size_t pixel) const noexcept {
+        if (!settings.is_preview)
+            return pixel;
+        const std::size_t row = pixel / size.columns;
+        const std::size_t column = pixel % size.columns;
+        return (row & ~std::size_t{1}) * size.columns + (column & ~std::size_t{1});
+    }
 
     [[nodiscard]] std::size_t layers() const noexcept {
         return single.size() + (merged.empty() ? 0 : 1);
@@ -80,13 +107,28 @@ struct SamplePlan {
     }
 };
 
-/// The pilot of the pixels in rows [first_row, end_row): surfaces, geometry, unshadowed light,
-/// occluders, distances. METHODS "Pictures".
+/// What the pilot's rays through the pixels of a tile showed. The first samples of a preview
+/// look along the same rays, so that every ray's surface is one that the pilot knows.
+struct SeenTile {
+    std::size_t first_column = 0;
+    std::size_t first_row = 0;
+    std::vector<EyePath> paths; ///< pixel by pixel, the rays of one after the other
+
+    [[nodiscard]] std::size_t
+    index(std::size_t column, std::size_t row, std::size_t ray) const noexcept {
+        return ((row - first_row) * tile_side + column - first_column) * rays_of_preview + ray;
+    }
+};
+
+/// The pilot of the pixels of one tile: surfaces, geometry, unshadowed light, occluders,
+/// distances. METHODS "Pictures".
+/// @param seen  takes what the rays showed, if given
 void run_pilot(const ViewSetup& setup,
+               std::size_t first_column,
                std::size_t first_row,
-               std::size_t end_row,
                PixelBuffers& buffers,
-               PilotPlanes& pilot);
+               PilotPlanes& pilot,
+               SeenTile* seen);
 
 /// Counts from the pilot alone, so that they tell nothing about the picture's own samples.
 /// @param mean  samples a pixel and cycle
@@ -103,6 +145,7 @@ build_caches(const ViewSetup& setup, std::uint32_t replicate, std::uint64_t unit
 /// One ray through every pixel of one tile that takes part, added to the sums.
 /// @param block   of the plan's cycle
 /// @param caches  the slices of this pass
+/// @param seen    what ray `pass` of the pilot showed is taken instead of rays of its own
 void add_samples(const ViewSetup& setup,
                  std::uint32_t pass,
                  const SamplePlan& plan,
@@ -112,11 +155,12 @@ void add_samples(const ViewSetup& setup,
                  std::size_t first_row,
                  const PilotPlanes& pilot,
                  PixelBuffers& buffers,
-                 PictureSums& sums);
+                 PictureSums& sums,
+                 const SeenTile* seen);
 
 /// A ray through a pixel, spending a sample's first four numbers: two in the pixel, two on the
 /// lens. Nothing outside a fisheye's circle.
-[[nodiscard]] std::optional<SightLine> sight_line_of(const CameraRays& camera,
+[[nodiscard]] std::optional<SightLine> sight_line_of(const ViewSetup& setup,
                                                      std::size_t column,
                                                      std::size_t row,
                                                      NumberSequence& numbers) noexcept;

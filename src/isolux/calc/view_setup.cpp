@@ -17,7 +17,6 @@ constexpr double edge_factor = 0.4;
 constexpr double widest_edge = 0.5; ///< m
 
 /// Layers of luminaires' own: fewer in large pictures, for their memory.
-constexpr std::size_t most_layers = 16;
 constexpr std::size_t most_layers_if_large = 8;
 constexpr std::size_t large_picture = 2'000'000; ///< pixels
 
@@ -25,33 +24,43 @@ constexpr std::size_t large_picture = 2'000'000; ///< pixels
 constexpr std::size_t survey_side = 24;
 
 /// Luminaires by the light they send to what the view shows, brightest first.
+/// What each luminaire would send to what one ray shows, as it is reflected.
+std::vector<double>
+light_on_ray(const ViewSetup& setup, double x, double y, std::size_t number) {
+    std::vector<double> light(setup.light.luminaires(), 0.0);
+    const auto line = setup.camera.sight_line(x, y);
+    if (!line)
+        return light;
+    thread_local EyePath path;
+    std::uint64_t rays = 0;
+    const PointRandomness random(setup.settings.seed, StreamPurpose::pilot, 1, number);
+    NumberSequence numbers(random, 0);
+    follow_eye(setup.scene, setup.emission, *line, numbers, path, rays);
+    const SeenSurface* seen = primary_of(path);
+    for (std::size_t l = 0; seen != nullptr && l < light.size(); ++l)
+        light[l] = luminance_sum(seen->diffuse)
+                   * setup.light.unshadowed(l, seen->at, seen->normal, OpeningDetail::coarse);
+    return light;
+}
+
+/// Luminaires by the light they send to what the view shows, brightest first.
 std::vector<std::size_t> rank_luminaires(const ViewSetup& setup) {
     const std::size_t count = setup.light.luminaires();
+    std::vector<std::vector<double>> found(survey_side * survey_side);
+    for_each_index(found.size(), survey_side, [&](std::size_t k) {
+        const auto share = [](std::size_t i) {
+            return (static_cast<double>(i) + 0.5) / static_cast<double>(survey_side);
+        };
+        found[k] =
+            light_on_ray(setup,
+                         share(k % survey_side) * static_cast<double>(setup.size.columns),
+                         share(k / survey_side) * static_cast<double>(setup.whole.rows),
+                         k);
+    });
     std::vector<double> sums(count, 0.0);
-    EyePath path;
-    std::uint64_t rays = 0;
-    for (std::size_t j = 0; j < survey_side; ++j)
-        for (std::size_t i = 0; i < survey_side; ++i) {
-            const auto share = [](std::size_t k) {
-                return (static_cast<double>(k) + 0.5) / static_cast<double>(survey_side);
-            };
-            const auto line =
-                setup.camera.sight_line(share(i) * static_cast<double>(setup.size.columns),
-                                        share(j) * static_cast<double>(setup.size.rows));
-            if (!line)
-                continue;
-            const PointRandomness random(
-                setup.settings.seed, StreamPurpose::pilot, 1, j * survey_side + i);
-            NumberSequence numbers(random, 0);
-            follow_eye(setup.scene, setup.emission, *line, numbers, path, rays);
-            const SeenSurface* seen = primary_of(path);
-            if (seen == nullptr)
-                continue;
-            for (std::size_t l = 0; l < count; ++l)
-                sums[l] +=
-                    luminance_sum(seen->diffuse)
-                    * setup.light.unshadowed(l, seen->at, seen->normal, OpeningDetail::coarse);
-        }
+    for (const std::vector<double>& light : found)
+        for (std::size_t l = 0; l < count; ++l)
+            sums[l] += light[l];
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -91,14 +100,19 @@ LightLayer layer_of(const ViewSetup& setup, std::size_t l) {
 
 } // namespace
 
-ViewSetup::ViewSetup(const Scene& of, const View& view, const RenderSettings& asked)
-    : scene(of), settings(asked), size{view.camera.columns, view.camera.rows},
-      camera(view.camera), emission(of), images(of), light(of, emission),
+ViewSetup::ViewSetup(const Scene& of,
+                     const View& view,
+                     const RenderSettings& asked,
+                     const PictureRows& rows)
+    : scene(of),
+      settings(asked), whole{view.camera.columns, view.camera.rows}, size{view.camera.columns,
+                                                                          rows.count},
+      first_row(rows.first), camera(view.camera), emission(of), images(of), light(of, emission),
       mirrored(of, emission, images), estimator(of, emission, images),
       detail(asked.is_preview ? OpeningDetail::coarse : OpeningDetail::fine) {
     // Few pixels are worth few paths.
-    if (size.pixels() < 65536)
-        slices_a_side = size.pixels() < 4096 ? 2 : 4;
+    if (whole.pixels() < 65536)
+        slices_a_side = whole.pixels() < 4096 ? 2 : 4;
     const double slices = static_cast<double>(slices_a_side * slices_a_side);
     const double paths = static_cast<double>(paths_a_slice);
     double vertices_per_path = 1.0;
@@ -116,7 +130,8 @@ ViewSetup::ViewSetup(const Scene& of, const View& view, const RenderSettings& as
     edge = std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / (paths * slices)));
 
     const std::vector<std::size_t> order = rank_luminaires(*this);
-    const std::size_t most = size.pixels() > large_picture ? most_layers_if_large : most_layers;
+    const std::size_t most =
+        whole.pixels() > large_picture ? most_layers_if_large : most_layers;
     const std::size_t own = order.size() <= most ? order.size() : most - 1;
     single.assign(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(own));
     merged.assign(order.begin() + static_cast<std::ptrdiff_t>(own), order.end());
@@ -163,7 +178,7 @@ build_caches(const ViewSetup& setup, std::uint32_t replicate, std::uint64_t unit
     return caches;
 }
 
-std::optional<SightLine> sight_line_of(const CameraRays& camera,
+std::optional<SightLine> sight_line_of(const ViewSetup& setup,
                                        std::size_t column,
                                        std::size_t row,
                                        NumberSequence& numbers) noexcept {
@@ -171,8 +186,10 @@ std::optional<SightLine> sight_line_of(const CameraRays& camera,
     const double v = numbers.next();
     const double lens_u = numbers.next();
     const double lens_v = numbers.next();
-    return camera.sight_line(
-        static_cast<double>(column) + u, static_cast<double>(row) + v, lens_u, lens_v);
+    return setup.camera.sight_line(static_cast<double>(column) + u,
+                                   static_cast<double>(setup.first_row + row) + v,
+                                   lens_u,
+                                   lens_v);
 }
 
 const SeenSurface* primary_of(const EyePath& path) noexcept {

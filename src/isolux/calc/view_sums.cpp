@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "isolux/base/parallel.h"
 
@@ -24,6 +25,17 @@ void scale(Planes3& p, std::size_t i, float factor) noexcept {
 
 float inverse_of(float count) noexcept { return count > 0.0F ? 1.0F / count : 0.0F; }
 
+/// A half without a sample on the majority surface takes the other's value there: its own sums
+/// say nothing, not that it is dark.
+void copy_half(PixelBuffers& buffers, std::size_t i, bool from_a) noexcept {
+    const auto copy = [&](Plane& a, Plane& b) { (from_a ? b : a)[i] = (from_a ? a : b)[i]; };
+    copy(buffers.indirect.a.x, buffers.indirect.b.x);
+    copy(buffers.indirect.a.y, buffers.indirect.b.y);
+    copy(buffers.indirect.a.z, buffers.indirect.b.z);
+    for (LightLayer& layer : buffers.lights)
+        copy(layer.visible_a, layer.visible_b);
+}
+
 /// @param passes  through the pixel
 void divide_pixel(PixelBuffers& buffers, std::size_t i, std::size_t passes) noexcept {
     PixelGeometry& g = buffers.geometry;
@@ -38,9 +50,15 @@ void divide_pixel(PixelBuffers& buffers, std::size_t i, std::size_t passes) noex
     scale(buffers.indirect.a, i, inverse_of(g.samples_a[i]));
     scale(buffers.indirect.b, i, inverse_of(g.samples_b[i]));
     for (LightLayer& layer : buffers.lights) {
-        layer.visible_a[i] = g.samples_a[i] > 0.0F ? layer.visible_a[i] / g.samples_a[i] : 1.0F;
-        layer.visible_b[i] = g.samples_b[i] > 0.0F ? layer.visible_b[i] / g.samples_b[i] : 1.0F;
+        const bool is_lit = layer.unshadowed_first[i] > 0.0F;
+        const auto mean_of = [&](float sum, float samples) {
+            return is_lit && samples > 0.0F ? sum / samples : 1.0F;
+        };
+        layer.visible_a[i] = mean_of(layer.visible_a[i], g.samples_a[i]);
+        layer.visible_b[i] = mean_of(layer.visible_b[i], g.samples_b[i]);
     }
+    if ((g.samples_a[i] > 0.0F) != (g.samples_b[i] > 0.0F))
+        copy_half(buffers, i, g.samples_a[i] > 0.0F);
 }
 
 } // namespace
@@ -80,18 +98,25 @@ double PictureSums::standard_error(std::size_t pixel) const noexcept {
 
 double PictureSums::error() const {
     const std::size_t n = passes.size();
-    double m = 0.0;
-    for (std::size_t i = 0; i < n; ++i)
-        m += mean(i) / static_cast<double>(n);
+    // Ranges of their own are summed in order: the same for any number of threads.
+    const auto mean_over_pixels = [n](auto&& value) {
+        std::vector<double> parts((n + grain - 1) / grain, 0.0);
+        for_each_range(n, grain, [&](std::size_t begin, std::size_t end) {
+            double part = 0.0;
+            for (std::size_t i = begin; i < end; ++i)
+                part += value(i);
+            parts[begin / grain] = part;
+        });
+        return std::accumulate(parts.begin(), parts.end(), 0.0) / static_cast<double>(n);
+    };
+    const double m = mean_over_pixels([&](std::size_t i) { return mean(i); });
     if (!(m > 0.0))
         return 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
+    return std::sqrt(mean_over_pixels([&](std::size_t i) {
         const double e = standard_error(i);
         const double y = mean(i);
-        sum += e * e / (y * y + 0.01 * m * m);
-    }
-    return std::sqrt(sum / static_cast<double>(n));
+        return e * e / (y * y + 0.01 * m * m);
+    }));
 }
 
 void PictureSums::divide(PixelBuffers& buffers) {
@@ -107,9 +132,10 @@ void PictureSums::divide(PixelBuffers& buffers) {
 
 Planes3 subtract(Planes3 whole, const Planes3& first, const Planes3& second) {
     for (auto plane : {&Planes3::x, &Planes3::y, &Planes3::z})
-        for (std::size_t i = 0; i < (whole.*plane).size(); ++i)
+        for_each_index((whole.*plane).size(), grain, [&](std::size_t i) {
             (whole.*plane)[i] =
                 std::max(0.0F, (whole.*plane)[i] - (first.*plane)[i] - (second.*plane)[i]);
+        });
     return whole;
 }
 

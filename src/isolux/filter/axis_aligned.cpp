@@ -51,20 +51,22 @@ OnSurfaces read_layer(const PixelBuffers& buffers,
 /// @param unshadowed lx on first and second surface; null: the layer holds
 /// illuminances
 void recompose(const PixelBuffers& buffers,
-               const Planes3& final,
+               const std::array<const Plane*, 3>& final,
                const Halves& raw,
                const Halves& fixed,
                const LightLayer* light,
                Planes3& picture,
                VerifiedHalves& halves) {
     const std::array<const Plane*, 7> planes{
-        &final.x, &final.y, &final.z, &raw.a, &raw.b, &fixed.a, &fixed.b};
+        final[0], final[1], final[2], &raw.a, &raw.b, &fixed.a, &fixed.b};
     const PixelGeometry& g = buffers.geometry;
     for_each_index(buffers.size.pixels(), grain, [&](std::size_t i) {
         if (g.first.object[i] == 0 && g.second.object[i] == 0)
             return;
         const double e1 = light != nullptr ? light->unshadowed_first[i] : 1.0;
         const double e2 = light != nullptr ? light->unshadowed_second[i] : 1.0;
+        if (e1 == 0.0 && e2 == 0.0)
+            return;
         const Rgb tint = light != nullptr ? light->colour : Rgb::grey(1.0);
         const auto pair = [&](const PixelSurface& surface, double e) {
             return std::array{e * (tint * surface.reflected_a.colour(i)),
@@ -101,7 +103,7 @@ void add_light(const PixelBuffers& buffers,
     const Halves raw{light.visible_a, light.visible_b};
     const FilteredLayer layer = filter_layer(sites, raw, settings, false);
     recompose(buffers,
-              {layer.mean, layer.mean, layer.mean},
+              {&layer.mean, &layer.mean, &layer.mean},
               raw,
               layer.fixed,
               &light,
@@ -123,7 +125,13 @@ void add_indirect(const PixelBuffers& buffers,
     const FilterSites sites =
         make_indirect_sites(buffers.geometry, buffers.size, buffers.indirect, settings);
     const FilteredIndirect layer = filter_indirect(sites, buffers.indirect, settings);
-    recompose(buffers, layer.colour, layer.raw, layer.fixed, nullptr, picture.indirect, halves);
+    recompose(buffers,
+              {&layer.colour.x, &layer.colour.y, &layer.colour.z},
+              layer.raw,
+              layer.fixed,
+              nullptr,
+              picture.indirect,
+              halves);
     for_each_index(buffers.size.pixels(), grain, [&](std::size_t i) {
         picture.width_indirect[i] =
             layer.scale[i] * geometric_mean(sites.columns[i], sites.rows[i]);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace isolux {
@@ -14,7 +16,13 @@ struct FilterSettings {
     /// Reflected light is smoothed over at least so many pixels (standard
     /// deviation).
     double floor_pixels = 1.5;
-    std::size_t radius = 50;  ///< pixels beyond which nothing is looked at
+    /// Shadows are, too, and what the pilot found fully lit; 0: what is narrower stays, what is
+    /// lit is copied.
+    double shadow_floor_pixels = 0.0;
+    std::size_t pilot_step = 1; ///< pixels from one whose pilot looked around to the next
+    std::size_t radius = 50;    ///< pixels beyond which nothing is looked at
+    /// Pixels with samples of one half alone are filtered, too: the other has taken its values.
+    bool with_half_sites = false;
     bool choose_width = true; ///< filter, then verify: choose among five widths, eq. (100)
     double samples = 16.0;  ///< a pixel, both halves together: widths shrink with it, eq. (101)
     std::size_t window = 0; ///< pixels, odd; 0: by METHODS "Filter, then verify"
@@ -32,13 +40,19 @@ struct FilterSettings {
 }
 
 /// For a picture within a second or two: wide, one width, small radius.
-[[nodiscard]] inline FilterSettings preview_filter() noexcept {
+/// @param samples  rays a pixel; the floors are those of two and go down with their noise
+[[nodiscard]] inline FilterSettings preview_filter(double samples = 2.0) noexcept {
+    const double noise = std::sqrt(2.0 / std::max(2.0, samples));
     FilterSettings s;
+    s.samples = samples;
     s.k_mu_shadow = 3.0;
     s.k_mu_indirect = 1.4;
-    s.floor_pixels = 3.0;
+    s.floor_pixels = std::max(s.floor_pixels, 5.0 * noise);
+    s.shadow_floor_pixels = 1.5 * noise;
+    s.pilot_step = 2;
     s.radius = 20;
     s.choose_width = false;
+    s.with_half_sites = true;
     return s;
 }
 

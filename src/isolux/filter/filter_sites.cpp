@@ -13,6 +13,8 @@ constexpr double omega_h = 2.8;         ///< band limit of the hemisphere, METHO
 constexpr double disc_sigma = 0.5;      ///< standard deviation of a uniform disc of radius 1
 constexpr double smallest_slope = 1e-6; ///< an occluder that touches: no width worth a name
 constexpr double smallest_sigma = 1e-6; ///< m, of a side of no length
+constexpr std::size_t nearby = 2;       ///< pixels, where the pilot looked around in all
+constexpr std::size_t grain = 4096;     ///< pixels
 constexpr double widest = 1e3;          ///< steps; far beyond any radius
 
 /// Two footprint steps, made dimensionless or not, meet at an angle; the
@@ -27,27 +29,40 @@ double skew(const Vector3& column, const Vector3& row) {
     return angle_factor(length(column), 0.0, length(row), 0.0, dot(column, row));
 }
 
-bool is_site(const PixelGeometry& g, std::size_t i) {
-    return g.first.object[i] != 0 && g.samples_a[i] > 0.0F && g.samples_b[i] > 0.0F;
+bool is_site(const PixelGeometry& g, const FilterSettings& settings, std::size_t i) {
+    const bool in_a = g.samples_a[i] > 0.0F;
+    const bool in_b = g.samples_b[i] > 0.0F;
+    return g.first.object[i] != 0 && (settings.with_half_sites ? in_a || in_b : in_a && in_b);
 }
 
-FilterSites sites_in_world(const PixelGeometry& geometry, PictureSize size) {
+/// Sites without a place yet.
+FilterSites sites_without_width(PictureSize size) {
     FilterSites sites;
     sites.size = size;
-    sites.position = geometry.position;
-    sites.normal = geometry.first.normal;
-    sites.object = geometry.first.object;
-    for (std::size_t i = 0; i < size.pixels(); ++i)
-        if (!is_site(geometry, i))
-            sites.object[i] = 0;
     for (Plane* plane : {&sites.narrowness, &sites.columns, &sites.rows})
         plane->assign(size.pixels(), 0.0F);
     return sites;
 }
 
-FilterSites
-sites_of_light(const PixelGeometry& geometry, PictureSize size, const LightLayer& light) {
-    FilterSites sites = sites_in_world(geometry, size);
+FilterSites sites_in_world(const PixelGeometry& geometry,
+                           PictureSize size,
+                           const FilterSettings& settings) {
+    FilterSites sites = sites_without_width(size);
+    sites.position = geometry.position;
+    sites.normal = geometry.first.normal;
+    sites.object = geometry.first.object;
+    for_each_index(size.pixels(), grain, [&](std::size_t i) {
+        if (!is_site(geometry, settings, i))
+            sites.object[i] = 0;
+    });
+    return sites;
+}
+
+FilterSites sites_of_light(const PixelGeometry& geometry,
+                           PictureSize size,
+                           const LightLayer& light,
+                           const FilterSettings& settings) {
+    FilterSites sites = sites_without_width(size);
     sites.central = true;
     const auto sigma = [](double side) {
         return static_cast<float>(std::max(side / std::sqrt(12.0), smallest_sigma));
@@ -56,21 +71,29 @@ sites_of_light(const PixelGeometry& geometry, PictureSize size, const LightLayer
     sites.scale_y = sigma(light.side_b);
     sites.half_side_x = static_cast<float>(0.5 * light.side_t);
     sites.half_side_y = static_cast<float>(0.5 * light.side_b);
+    sites.position.assign(size.pixels(), 0.0F);
+    sites.normal.assign(size.pixels(), 0.0F);
+    sites.object.assign(size.pixels(), 0);
     const Vector3 to_centre = light.centre - geometry.origin;
-    for_each_index(size.pixels(), 4096, [&](std::size_t i) {
-        sites.position.set(i, light.frame.to_local(sites.position.vector(i) - to_centre));
-        sites.normal.set(i, light.frame.to_local(sites.normal.vector(i)));
-        if (!(sites.position.z[i] > 0.0F) || !(light.unshadowed_first[i] > 0.0F))
-            sites.object[i] = 0;
+    for_each_index(size.pixels(), grain, [&](std::size_t i) {
+        if (!(light.unshadowed_first[i] > 0.0F) || !is_site(geometry, settings, i))
+            return;
+        const Vector3 at = light.frame.to_local(geometry.position.vector(i) - to_centre);
+        if (!(at.z > 0.0))
+            return;
+        sites.object[i] = geometry.first.object[i];
+        sites.position.set(i, at);
+        sites.normal.set(i, light.frame.to_local(geometry.first.normal.vector(i)));
     });
     return sites;
 }
 
 /// The widths in the light's plane as widths in pixels, narrowed where the
-/// steps are skew.
+/// steps are skew. `floor` in pixels; 0: none.
 void set_light_pixels(FilterSites& sites,
                       const PixelGeometry& geometry,
                       const LightLayer& light,
+                      double floor,
                       std::size_t i) {
     const Vector3 x = sites.position.vector(i);
     const auto step = [&](const Planes3& world, double& dx, double& dy) {
@@ -87,8 +110,11 @@ void set_light_pixels(FilterSites& sites,
     double ry = 0.0;
     const double column = step(geometry.column_step, cx, cy);
     const double row = step(geometry.row_step, rx, ry);
-    const double narrowness =
-        sites.narrowness[i] * angle_factor(cx, cy, rx, ry, cx * rx + cy * ry);
+    double narrowness = sites.narrowness[i] * angle_factor(cx, cy, rx, ry, cx * rx + cy * ry);
+    if (floor > 0.0) {
+        const double at_floor = 1.0 / (floor * std::max(column, row));
+        narrowness = narrowness > 0.0 ? std::min(narrowness, at_floor) : at_floor;
+    }
     sites.narrowness[i] = static_cast<float>(narrowness);
     sites.columns[i] = static_cast<float>(std::min(widest, 1.0 / (narrowness * column)));
     sites.rows[i] = static_cast<float>(std::min(widest, 1.0 / (narrowness * row)));
@@ -108,8 +134,10 @@ void set_world_pixels(FilterSites& sites,
         return;
     }
     double narrowness = sites.narrowness[i] * skew(column, row);
-    if (floor > 0.0)
-        narrowness = std::min(narrowness, 1.0 / (floor * longer));
+    if (floor > 0.0) {
+        const double at_floor = 1.0 / (floor * longer);
+        narrowness = narrowness > 0.0 ? std::min(narrowness, at_floor) : at_floor;
+    }
     narrowness = std::max(narrowness, 1.0 / (widest * longer));
     sites.narrowness[i] = static_cast<float>(narrowness);
     sites.columns[i] = static_cast<float>(1.0 / (narrowness * length(column)));
@@ -127,31 +155,33 @@ FilterSites make_shadow_sites(const PixelGeometry& geometry,
                               PictureSize size,
                               const LightLayer& light,
                               const FilterSettings& settings) {
-    FilterSites sites =
-        light.merged ? sites_in_world(geometry, size) : sites_of_light(geometry, size, light);
+    FilterSites sites = light.merged ? sites_in_world(geometry, size, settings)
+                                     : sites_of_light(geometry, size, light, settings);
     const double k_mu = settings.k_mu_shadow / width_factor(settings.samples);
     if (light.merged) {
         const double narrower = 1.0 / width_factor(settings.samples);
-        for (std::size_t i = 0; i < size.pixels(); ++i)
+        for_each_index(size.pixels(), grain, [&](std::size_t i) {
             if (sites.object[i] != 0 && light.merged_width[i] > 0.0F)
                 sites.narrowness[i] = static_cast<float>(narrower / light.merged_width[i]);
+        });
     } else {
         Plane slope_min = light.slope_min;
-        Plane slope_max = light.slope_max;
-        fill_slopes(size, sites.object, slope_min, slope_max);
-        for (std::size_t i = 0; i < size.pixels(); ++i)
+        fill_slopes(size, sites.object, slope_min);
+        for_each_index(size.pixels(), grain, [&](std::size_t i) {
             if (sites.object[i] != 0 && slope_min[i] >= 0.0F)
                 sites.narrowness[i] =
                     static_cast<float>(k_mu / std::max<double>(slope_min[i], smallest_slope));
+        });
     }
     smooth_positive(size, sites.object, sites.narrowness);
-    for_each_index(size.pixels(), 4096, [&](std::size_t i) {
-        if (!(sites.narrowness[i] > 0.0F))
+    const double floor = settings.shadow_floor_pixels;
+    for_each_index(size.pixels(), grain, [&](std::size_t i) {
+        if (sites.object[i] == 0 || (!(sites.narrowness[i] > 0.0F) && !(floor > 0.0)))
             return;
         if (light.merged)
-            set_world_pixels(sites, geometry, 0.0, i);
+            set_world_pixels(sites, geometry, floor, i);
         else
-            set_light_pixels(sites, geometry, light, i);
+            set_light_pixels(sites, geometry, light, floor, i);
     });
     return sites;
 }
@@ -160,12 +190,15 @@ FilterSites make_indirect_sites(const PixelGeometry& geometry,
                                 PictureSize size,
                                 const IndirectLayer& indirect,
                                 const FilterSettings& settings) {
-    FilterSites sites = sites_in_world(geometry, size);
-    const Plane z_min =
-        smallest_nearby(size, geometry.first.object, geometry.first.normal, indirect.z_min);
+    FilterSites sites = sites_in_world(geometry, size, settings);
+    const Plane z_min = smallest_nearby(size,
+                                        geometry.first.object,
+                                        geometry.first.normal,
+                                        indirect.z_min,
+                                        nearby * settings.pilot_step);
     const double factor = width_factor(settings.samples);
     const double k_mu = settings.k_mu_indirect / factor;
-    for_each_index(size.pixels(), 4096, [&](std::size_t i) {
+    for_each_index(size.pixels(), grain, [&](std::size_t i) {
         if (sites.object[i] == 0)
             return;
         sites.narrowness[i] =

@@ -13,36 +13,11 @@ namespace {
 
 constexpr float plane_share = 0.05F; ///< of the width, by which j may leave i's tangent plane
 
-template <class T> std::vector<T> transposed(PictureSize size, const std::vector<T>& from) {
-    constexpr std::size_t block = 32;
-    std::vector<T> to(from.size());
-    const std::size_t blocks = (size.rows + block - 1) / block;
-    for_each_index(blocks, 1, [&](std::size_t b) {
-        const std::size_t end = std::min(size.rows, (b + 1) * block);
-        for (std::size_t x = 0; x < size.columns; ++x)
-            for (std::size_t y = b * block; y < end; ++y)
-                to[x * size.rows + y] = from[y * size.columns + x];
-    });
-    return to;
-}
+/// Which way a pass of the filter goes.
+enum class Along : std::uint8_t { rows, columns };
 
-Planes3 transposed(PictureSize size, const Planes3& p) {
-    return {transposed(size, p.x), transposed(size, p.y), transposed(size, p.z)};
-}
-
-FilterSites transposed(const FilterSites& s) {
-    FilterSites t = s;
-    t.size = {s.size.rows, s.size.columns};
-    t.position = transposed(s.size, s.position);
-    t.normal = transposed(s.size, s.normal);
-    t.object = transposed(s.size, s.object);
-    t.narrowness = transposed(s.size, s.narrowness);
-    t.columns = transposed(s.size, s.rows);
-    t.rows.clear();
-    return t;
-}
-
-SiteRow row_of(const FilterSites& s, std::size_t radius, const Plane* scale, std::size_t y) {
+SiteRow row_of(
+    const FilterSites& s, Along along, std::size_t radius, const Plane* scale, std::size_t y) {
     const std::size_t first = y * s.size.columns;
     SiteRow row;
     row.x = s.position.x.data() + first;
@@ -53,9 +28,12 @@ SiteRow row_of(const FilterSites& s, std::size_t radius, const Plane* scale, std
     row.nz = s.normal.z.data() + first;
     row.object = s.object.data() + first;
     row.narrowness = s.narrowness.data() + first;
-    row.width = s.columns.data() + first;
+    row.width = (along == Along::rows ? s.columns : s.rows).data() + first;
     row.scale = scale != nullptr ? scale->data() + first : nullptr;
     row.count = static_cast<std::ptrdiff_t>(s.size.columns);
+    row.step = along == Along::rows ? 1 : row.count;
+    row.above = static_cast<std::ptrdiff_t>(y);
+    row.below = static_cast<std::ptrdiff_t>(s.size.rows - 1 - y);
     row.largest_radius = static_cast<std::ptrdiff_t>(radius);
     row.central = s.central;
     row.inverse_scale_x = 1.0F / s.scale_x;
@@ -74,6 +52,7 @@ using RowFilter = void (*)(const SiteRow&,
 
 template <std::size_t N>
 Pass<N> one_pass(const FilterSites& sites,
+                 Along along,
                  const std::array<const Plane*, N>& in,
                  std::size_t radius,
                  const Plane* scale,
@@ -81,7 +60,7 @@ Pass<N> one_pass(const FilterSites& sites,
     Pass<N> out;
     for (Plane& plane : out)
         plane.resize(sites.size.pixels());
-    for_each_index(sites.size.rows, 1, [&](std::size_t y) {
+    for_each_index(sites.size.rows, 4, [&](std::size_t y) {
         const std::size_t first = y * sites.size.columns;
         std::array<const float*, N> from{};
         std::array<float*, N> to{};
@@ -89,7 +68,7 @@ Pass<N> one_pass(const FilterSites& sites,
             from[c] = in[c]->data() + first;
             to[c] = out[c].data() + first;
         }
-        filter_row(row_of(sites, radius, scale, y), from, to);
+        filter_row(row_of(sites, along, radius, scale, y), from, to);
     });
     return out;
 }
@@ -112,19 +91,24 @@ Pass<N> two_passes(const FilterSites& sites,
             same[c] = *in[c];
         return same;
     }
-    Pass<N> rows = one_pass<N>(sites, in, radius, scale, filter_row);
+    const Pass<N> rows = one_pass<N>(sites, Along::rows, in, radius, scale, filter_row);
     std::array<const Plane*, N> pointers{};
-    for (std::size_t c = 0; c < N; ++c) {
-        rows[c] = transposed(sites.size, rows[c]);
+    for (std::size_t c = 0; c < N; ++c)
         pointers[c] = &rows[c];
-    }
-    const FilterSites turned = transposed(sites);
-    const Plane turned_scale = scale != nullptr ? transposed(sites.size, *scale) : Plane{};
-    Pass<N> columns = one_pass<N>(
-        turned, pointers, radius, scale != nullptr ? &turned_scale : nullptr, filter_row);
-    for (Plane& plane : columns)
-        plane = transposed(turned.size, plane);
-    return columns;
+    return one_pass<N>(sites, Along::columns, pointers, radius, scale, filter_row);
+}
+
+Plane transposed(PictureSize size, const Plane& from) {
+    constexpr std::size_t block = 32;
+    Plane to(from.size());
+    const std::size_t blocks = (size.rows + block - 1) / block;
+    for_each_index(blocks, 1, [&](std::size_t b) {
+        const std::size_t end = std::min(size.rows, (b + 1) * block);
+        for (std::size_t x = 0; x < size.columns; ++x)
+            for (std::size_t y = b * block; y < end; ++y)
+                to[x * size.rows + y] = from[y * size.columns + x];
+    });
+    return to;
 }
 
 /// One pass of the lens along rows.

@@ -72,6 +72,29 @@ std::ptrdiff_t radii(const SiteRow& s, std::ptrdiff_t t0, std::ptrdiff_t n, floa
     return largest;
 }
 
+/// Nothing is shaded as far as a tile looks: whatever the weights, the mean of ones is one.
+template <int channels>
+bool is_all_one(const SiteRow& s,
+                std::ptrdiff_t t0,
+                std::ptrdiff_t n,
+                std::ptrdiff_t reach,
+                const float* const* in) {
+    const bool is_along = s.step == 1;
+    const std::ptrdiff_t begin = is_along ? std::max<std::ptrdiff_t>(0, t0 - reach) : t0;
+    const std::ptrdiff_t end = is_along ? std::min(s.count, t0 + n + reach) : t0 + n;
+    const std::ptrdiff_t above = is_along ? 0 : std::min(reach, s.above);
+    const std::ptrdiff_t below = is_along ? 0 : std::min(reach, s.below);
+    for (int c = 0; c < channels; ++c)
+        for (std::ptrdiff_t r = -above; r <= below; ++r) {
+            int others = 0;
+            for (std::ptrdiff_t j = begin; j < end; ++j)
+                others += static_cast<int>(in[c][j + r * s.step] != 1.0F);
+            if (others != 0)
+                return false;
+        }
+    return true;
+}
+
 /// The weights of one neighbour for all widths.
 template <int widths> ISOLUX_INLINE void weigh(float d2, float* w) noexcept {
     if constexpr (widths == 1) {
@@ -100,20 +123,24 @@ ISOLUX_INLINE void filter_tile(const SiteRow& s,
     float weights[widths][tile] = {};
     float sums[channels * widths][tile] = {};
     const std::ptrdiff_t reach = radii<widths>(s, t0, n, radius);
-    if (reach == 0) {
+    if (reach == 0 || is_all_one<channels * widths>(s, t0, n, reach, in.data())) {
         for (int c = 0; c < channels * widths; ++c)
             std::copy_n(in[c] + t0, n, out[c] + t0);
         return;
     }
     for (std::ptrdiff_t l = 0; l < n; ++l)
         sharper[l] = widths == 1 && s.scale ? 1.0F / (s.scale[t0 + l] * s.scale[t0 + l]) : 1.0F;
-    for (std::ptrdiff_t r = -reach; r <= reach; ++r) {
-        const std::ptrdiff_t begin = std::max<std::ptrdiff_t>(0, -(t0 + r));
-        const std::ptrdiff_t end = std::min(n, s.count - (t0 + r));
+    const bool is_along = s.step == 1;
+    const std::ptrdiff_t first = is_along ? -reach : -std::min(reach, s.above);
+    const std::ptrdiff_t last = is_along ? reach : std::min(reach, s.below);
+    for (std::ptrdiff_t r = first; r <= last; ++r) {
+        const std::ptrdiff_t begin = is_along ? std::max<std::ptrdiff_t>(0, -(t0 + r)) : 0;
+        const std::ptrdiff_t end = is_along ? std::min(n, s.count - (t0 + r)) : n;
+        const std::ptrdiff_t away = r * s.step;
         const auto steps = static_cast<float>(std::abs(r));
         for (std::ptrdiff_t l = begin; l < end; ++l) {
             const std::ptrdiff_t i = t0 + l;
-            const std::ptrdiff_t j = i + r;
+            const std::ptrdiff_t j = i + away;
             const float d2 = squared_distance<central>(s, i, j) * sharper[l];
             float w[widths];
             weigh<widths>(steps <= radius[l] ? d2 : 1e30F, w);

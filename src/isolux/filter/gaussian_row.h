@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The inner loop of the filter: one pass along one row, METHODS eq. (97).
-/// Written so that the compiler turns it into vector code: a tile of pixels
-/// meets its neighbours one distance after the other, and what is rejected gets
-/// the weight 0.
+/// The inner loop of the filter: one row's part of a pass along rows or along
+/// columns, METHODS eq. (97). Written so that the compiler turns it into vector
+/// code: a tile of pixels of the row meets its neighbours one distance after the
+/// other, and what is rejected gets the weight 0.
 namespace isolux {
 
 /// Widths tried besides "unfiltered", as factors of the rule's, METHODS
@@ -25,9 +25,13 @@ struct SiteRow {
     const float* nz = nullptr;
     const std::uint32_t* object = nullptr;
     const float* narrowness = nullptr;
-    const float* width = nullptr; ///< standard deviation, pixels along the row
+    const float* width = nullptr; ///< standard deviation, pixels along the pass
     const float* scale = nullptr; ///< factor of the width; null: 1
     std::ptrdiff_t count = 0;
+    std::ptrdiff_t step =
+        1; ///< from a pixel to its neighbour: 1 along rows, else a row's length
+    std::ptrdiff_t above = 0; ///< rows over this one; along columns only
+    std::ptrdiff_t below = 0; ///< rows under it
     std::ptrdiff_t largest_radius = 0;
     bool central = false;
     float inverse_scale_x = 1.0F;
@@ -55,7 +59,8 @@ inline float exp_of_negative(float x) noexcept {
     return p * std::bit_cast<float>((whole + 127) << 23);
 }
 
-/// One width, three channels: `out[c][i] = sum w in[c][j] / sum w`.
+/// One width, three channels: `out[c][i] = sum w in[c][j] / sum w`. `in` and
+/// `out` point at the row.
 void filter_row_3(const SiteRow& row,
                   const std::array<const float*, 3>& in,
                   const std::array<float*, 3>& out);

@@ -13,8 +13,9 @@ constexpr std::size_t grain = 4096;
 
 Plane mean_of(const Halves& halves) {
     Plane mean(halves.a.size());
-    for (std::size_t i = 0; i < mean.size(); ++i)
+    for_each_index(mean.size(), grain, [&](std::size_t i) {
         mean[i] = 0.5F * (halves.a[i] + halves.b[i]);
+    });
     return mean;
 }
 
@@ -32,8 +33,9 @@ Plane mixed(const WidthChoice& choice, const Halves& raw, const std::array<Halve
 
 Plane luminance(const Planes3& planes) {
     Plane y(planes.x.size());
-    for (std::size_t i = 0; i < y.size(); ++i)
+    for_each_index(y.size(), grain, [&](std::size_t i) {
         y[i] = static_cast<float>(luminance_sum(planes.colour(i)));
+    });
     return y;
 }
 
@@ -44,8 +46,9 @@ Planes3 mean_of(const Planes3& a, const Planes3& b) {
 }
 
 void mix(const Plane& share, const Plane& raw, Plane& filtered) {
-    for (std::size_t i = 0; i < raw.size(); ++i)
+    for_each_index(raw.size(), grain, [&](std::size_t i) {
         filtered[i] += share[i] * (raw[i] - filtered[i]);
+    });
 }
 
 } // namespace
@@ -66,8 +69,9 @@ FilteredLayer filter_layer(const FilterSites& sites,
     layer.mean = mixed(choice, raw, ladder);
     layer.fixed = std::move(ladder[1]);
     layer.scale = std::move(choice.scale);
-    for (std::size_t i = 0; i < layer.scale.size(); ++i)
+    for_each_index(layer.scale.size(), grain, [&](std::size_t i) {
         layer.scale[i] *= 1.0F - choice.share[0][i];
+    });
     return layer;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "isolux/base/parallel.h"
 #include "isolux/filter/filter_sites.h"
 #include "isolux/filter/verify.h"
 
@@ -12,23 +13,24 @@ namespace isolux {
 namespace {
 
 constexpr float narrowest_pixels = 0.35F;
+constexpr std::size_t grain = 4096; ///< pixels
 
 Planes3 mean_of(const Planes3& a, const Planes3& b) {
     Planes3 mean = a;
-    for (std::size_t i = 0; i < mean.x.size(); ++i) {
+    for_each_index(mean.x.size(), grain, [&](std::size_t i) {
         mean.x[i] = 0.5F * (a.x[i] + b.x[i]);
         mean.y[i] = 0.5F * (a.y[i] + b.y[i]);
         mean.z[i] = 0.5F * (a.z[i] + b.z[i]);
-    }
+    });
     return mean;
 }
 
 void add(Planes3& to, const Planes3& what) {
-    for (std::size_t i = 0; i < to.x.size(); ++i) {
+    for_each_index(to.x.size(), grain, [&](std::size_t i) {
         to.x[i] += what.x[i];
         to.y[i] += what.y[i];
         to.z[i] += what.z[i];
-    }
+    });
 }
 
 void add_luminance(Plane& to, const Planes3& what) {
@@ -122,7 +124,7 @@ void finish_picture(const PixelBuffers& buffers,
     const std::size_t window = window_side(settings, false);
     picture.standard_error = window_mean(sites, e.filtered, window);
     picture.raw_error = window_mean(sites, e.raw, window);
-    for (std::size_t i = 0; i < buffers.size.pixels(); ++i) {
+    for_each_index(buffers.size.pixels(), grain, [&](std::size_t i) {
         // The remainder is noisy next to luminaires only: its own pixel is its
         // window.
         const double difference = luminance_sum(buffers.remainder_a.colour(i))
@@ -131,7 +133,7 @@ void finish_picture(const PixelBuffers& buffers,
         picture.standard_error[i] =
             std::sqrt(std::max(0.0F, picture.standard_error[i]) + noise);
         picture.raw_error[i] = std::sqrt(picture.raw_error[i] + noise);
-    }
+    });
 }
 
 } // namespace isolux

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "isolux/base/parallel.h"
 
@@ -11,73 +12,68 @@ namespace {
 
 constexpr std::ptrdiff_t fill_radius = 5;
 constexpr std::ptrdiff_t smooth_radius = 3; ///< of a Gaussian of 1 pixel
-constexpr std::ptrdiff_t minimum_radius = 2;
 constexpr float cos_ten_degrees = 0.984807753F;
 
-/// A line of pixels: index of its first, step from one to the next, how many.
-struct Line {
-    std::size_t first = 0;
-    std::size_t step = 1;
-    std::ptrdiff_t count = 0;
-
-    [[nodiscard]] std::size_t at(std::ptrdiff_t i) const noexcept {
-        return first + static_cast<std::size_t>(i) * step;
-    }
-};
-
-/// Calls f(line) for all rows, then for all columns.
-template <class F> void along_rows_then_columns(PictureSize size, F&& f) {
-    for_each_index(size.rows, 16, [&](std::size_t y) {
-        f(Line{y * size.columns, 1, static_cast<std::ptrdiff_t>(size.columns)}, 0);
-    });
-    for_each_index(size.columns, 16, [&](std::size_t x) {
-        f(Line{x, size.columns, static_cast<std::ptrdiff_t>(size.rows)}, 1);
-    });
+/// Calls f(pass, y) for every row y of the picture: first all of pass 0, which looks along
+/// rows, then all of pass 1, which looks along columns.
+template <class F> void in_two_passes(PictureSize size, F&& f) {
+    for (const int pass : {0, 1})
+        for_each_index(size.rows, 8, [&](std::size_t y) { f(pass, y); });
 }
 
-/// Calls f(neighbour, offset) for those of pixel i's line within `radius`.
-template <class F>
-void for_neighbours(const Line& line, std::ptrdiff_t i, std::ptrdiff_t radius, F&& f) {
-    const auto begin = std::max<std::ptrdiff_t>(0, i - radius);
-    const auto end = std::min(line.count - 1, i + radius);
-    for (auto j = begin; j <= end; ++j)
-        f(line.at(j), j - i);
+/// A row's neighbours `r` steps away along rows or along columns.
+struct Shift {
+    std::ptrdiff_t away = 0;  ///< from a pixel to its neighbour in the picture
+    std::ptrdiff_t begin = 0; ///< pixels [begin, end) of the row have one
+    std::ptrdiff_t end = 0;
+};
+
+Shift shift_of(PictureSize size, std::size_t y, int pass, std::ptrdiff_t r) noexcept {
+    const auto columns = static_cast<std::ptrdiff_t>(size.columns);
+    if (pass == 0)
+        return {r, std::max<std::ptrdiff_t>(0, -r), std::min(columns, columns - r)};
+    const auto v = static_cast<std::ptrdiff_t>(y) + r;
+    const bool is_inside = v >= 0 && v < static_cast<std::ptrdiff_t>(size.rows);
+    return {is_inside ? r * columns : 0, 0, is_inside ? columns : 0};
 }
 
 } // namespace
 
-void fill_slopes(PictureSize size,
-                 const std::vector<std::uint32_t>& object,
-                 Plane& slope_min,
-                 Plane& slope_max) {
-    const Plane original_min = slope_min;
-    Plane low[2] = {slope_min, slope_min};
-    Plane high[2] = {slope_max, slope_max};
-    along_rows_then_columns(size, [&](const Line& line, int pass) {
-        const Plane& from_low = pass == 0 ? slope_min : low[0];
-        const Plane& from_high = pass == 0 ? slope_max : high[0];
-        bool is_known = false;
-        for (std::ptrdiff_t i = 0; i < line.count && !is_known; ++i)
-            is_known = !(from_low[line.at(i)] < 0.0F);
-        if (!is_known)
-            return;
-        for (std::ptrdiff_t i = 0; i < line.count; ++i) {
-            const std::size_t p = line.at(i);
-            for_neighbours(line, i, fill_radius, [&](std::size_t q, std::ptrdiff_t) {
-                if (object[q] != object[p] || from_low[q] < 0.0F)
-                    return;
-                low[pass][p] =
-                    low[pass][p] < 0.0F ? from_low[q] : std::min(low[pass][p], from_low[q]);
-                high[pass][p] = std::max(high[pass][p], from_high[q]);
-            });
+void fill_slopes(PictureSize size, const std::vector<std::uint32_t>& object, Plane& slope_min) {
+    Plane along_rows = slope_min;
+    Plane result = slope_min;
+    // Most rows of most lights know nothing.
+    std::vector<std::uint8_t> is_known(size.rows, 0);
+    for_each_index(size.rows, 8, [&](std::size_t y) {
+        const float* const row = slope_min.data() + y * size.columns;
+        float largest = -1.0F;
+        for (std::size_t x = 0; x < size.columns; ++x)
+            largest = std::max(largest, row[x]);
+        is_known[y] = largest >= 0.0F ? 1 : 0;
+    });
+    in_two_passes(size, [&](int pass, std::size_t y) {
+        const float* const from =
+            (pass == 0 ? slope_min : along_rows).data() + y * size.columns;
+        float* const to = (pass == 0 ? along_rows : result).data() + y * size.columns;
+        const std::uint32_t* const id = object.data() + y * size.columns;
+        std::copy_n(from, size.columns, to);
+        for (std::ptrdiff_t r = -fill_radius; r <= fill_radius; ++r) {
+            const Shift s = shift_of(size, y, pass, r);
+            const std::size_t v = y + static_cast<std::size_t>(pass == 0 ? 0 : r);
+            if (s.begin >= s.end || is_known[v] == 0)
+                continue;
+            const float* const other = from + s.away;
+            for (std::ptrdiff_t i = s.begin; i < s.end; ++i) {
+                const bool counts = id[i + s.away] == id[i] && !(other[i] < 0.0F);
+                const float smallest = to[i] < 0.0F ? other[i] : std::min(to[i], other[i]);
+                to[i] = counts ? smallest : to[i];
+            }
         }
     });
-    for (std::size_t p = 0; p < size.pixels(); ++p) {
-        if (original_min[p] < 0.0F && object[p] != 0) {
-            slope_min[p] = low[1][p];
-            slope_max[p] = high[1][p];
-        }
-    }
+    for_each_index(size.pixels(), 4096, [&](std::size_t p) {
+        if (slope_min[p] < 0.0F && object[p] != 0)
+            slope_min[p] = result[p];
+    });
 }
 
 void smooth_positive(PictureSize size,
@@ -88,24 +84,27 @@ void smooth_positive(PictureSize size,
         weight[r + smooth_radius] = std::exp(-0.5F * static_cast<float>(r * r));
     Plane along_rows = values;
     Plane result = values;
-    along_rows_then_columns(size, [&](const Line& line, int pass) {
-        const Plane& from = pass == 0 ? values : along_rows;
-        Plane& to = pass == 0 ? along_rows : result;
-        for (std::ptrdiff_t i = 0; i < line.count; ++i) {
-            const std::size_t p = line.at(i);
-            if (!(from[p] > 0.0F))
-                continue;
-            float sum = 0.0F;
-            float weights = 0.0F;
-            for_neighbours(line, i, smooth_radius, [&](std::size_t q, std::ptrdiff_t r) {
-                if (object[q] != object[p] || !(from[q] > 0.0F))
-                    return;
-                const float w = weight[r + smooth_radius];
-                sum += w * from[q];
-                weights += w;
-            });
-            to[p] = sum / weights;
+    in_two_passes(size, [&](int pass, std::size_t y) {
+        const float* const from = (pass == 0 ? values : along_rows).data() + y * size.columns;
+        float* const to = (pass == 0 ? along_rows : result).data() + y * size.columns;
+        const std::uint32_t* const id = object.data() + y * size.columns;
+        if (std::none_of(from, from + size.columns, [](float v) { return v > 0.0F; }))
+            return;
+        std::vector<float> sum(size.columns, 0.0F);
+        std::vector<float> weights(size.columns, 0.0F);
+        for (std::ptrdiff_t r = -smooth_radius; r <= smooth_radius; ++r) {
+            const Shift s = shift_of(size, y, pass, r);
+            const float w = weight[r + smooth_radius];
+            for (std::ptrdiff_t i = s.begin; i < s.end; ++i) {
+                const bool counts = id[i + s.away] == id[i] && from[i + s.away] > 0.0F;
+                const float part = counts ? w : 0.0F;
+                sum[static_cast<std::size_t>(i)] += part * from[i + s.away];
+                weights[static_cast<std::size_t>(i)] += part;
+            }
         }
+        for (std::size_t i = 0; i < size.columns; ++i)
+            if (from[i] > 0.0F)
+                to[i] = sum[i] / weights[i];
     });
     values = std::move(result);
 }
@@ -113,22 +112,28 @@ void smooth_positive(PictureSize size,
 Plane smallest_nearby(PictureSize size,
                       const std::vector<std::uint32_t>& object,
                       const Planes3& normal,
-                      const Plane& values) {
+                      const Plane& values,
+                      std::size_t radius) {
+    const auto reach = static_cast<std::ptrdiff_t>(radius);
     Plane along_rows = values;
     Plane result = values;
-    along_rows_then_columns(size, [&](const Line& line, int pass) {
-        const Plane& from = pass == 0 ? values : along_rows;
-        Plane& to = pass == 0 ? along_rows : result;
-        for (std::ptrdiff_t i = 0; i < line.count; ++i) {
-            const std::size_t p = line.at(i);
-            float smallest = from[p];
-            for_neighbours(line, i, minimum_radius, [&](std::size_t q, std::ptrdiff_t) {
-                const float cosine = normal.x[p] * normal.x[q] + normal.y[p] * normal.y[q]
-                                     + normal.z[p] * normal.z[q];
-                if (object[q] == object[p] && cosine >= cos_ten_degrees)
-                    smallest = std::min(smallest, from[q]);
-            });
-            to[p] = smallest;
+    in_two_passes(size, [&](int pass, std::size_t y) {
+        const std::size_t first = y * size.columns;
+        const float* const from = (pass == 0 ? values : along_rows).data() + first;
+        float* const to = (pass == 0 ? along_rows : result).data() + first;
+        const std::uint32_t* const id = object.data() + first;
+        const float* const nx = normal.x.data() + first;
+        const float* const ny = normal.y.data() + first;
+        const float* const nz = normal.z.data() + first;
+        std::copy_n(from, size.columns, to);
+        for (std::ptrdiff_t r = -reach; r <= reach; ++r) {
+            const Shift s = shift_of(size, y, pass, r);
+            for (std::ptrdiff_t i = s.begin; i < s.end; ++i) {
+                const std::ptrdiff_t j = i + s.away;
+                const float cosine = nx[i] * nx[j] + ny[i] * ny[j] + nz[i] * nz[j];
+                const bool counts = id[j] == id[i] && cosine >= cos_ten_degrees;
+                to[i] = counts ? std::min(to[i], from[j]) : to[i];
+            }
         }
     });
     return result;

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "isolux/base/parallel.h"
+
 namespace isolux {
 namespace {
 
@@ -21,7 +23,6 @@ void allocate(PixelGeometry& geometry, std::size_t pixels) {
     for (Plane* plane : {&geometry.depth,
                          &geometry.coverage,
                          &geometry.lens_shift_min,
-                         &geometry.lens_shift_max,
                          &geometry.samples_a,
                          &geometry.samples_b})
         plane->assign(pixels, 0.0F);
@@ -29,7 +30,6 @@ void allocate(PixelGeometry& geometry, std::size_t pixels) {
 
 void allocate(LightLayer& light, std::size_t pixels) {
     light.slope_min.assign(pixels, -1.0F);
-    light.slope_max.assign(pixels, -1.0F);
     light.occluded.assign(pixels, 0.0F);
     if (light.merged)
         light.merged_width.assign(pixels, 0.0F);
@@ -43,7 +43,6 @@ void allocate(IndirectLayer& indirect, std::size_t pixels) {
     indirect.a.assign(pixels, 0.0F);
     indirect.b.assign(pixels, 0.0F);
     indirect.z_min.assign(pixels, std::numeric_limits<float>::infinity());
-    indirect.z_max.assign(pixels, 0.0F);
     indirect.variance.assign(pixels, -1.0F);
 }
 
@@ -54,8 +53,9 @@ PixelBuffers make_pixel_buffers(PictureSize size, std::vector<LightLayer> lights
     buffers.size = size;
     buffers.lights = std::move(lights);
     allocate(buffers.geometry, size.pixels());
-    for (LightLayer& light : buffers.lights)
-        allocate(light, size.pixels());
+    for_each_index(buffers.lights.size(), 1, [&](std::size_t k) {
+        allocate(buffers.lights[k], size.pixels());
+    });
     allocate(buffers.indirect, size.pixels());
     buffers.remainder_a.assign(size.pixels(), 0.0F);
     buffers.remainder_b.assign(size.pixels(), 0.0F);
@@ -64,12 +64,12 @@ PixelBuffers make_pixel_buffers(PictureSize size, std::vector<LightLayer> lights
 
 std::size_t bytes_a_pixel(const PixelBuffers& buffers) noexcept {
     constexpr std::size_t surface = 1 + 3 + 2 * 3;
-    constexpr std::size_t geometry = 2 * surface + 3 * 3 + 6;
-    constexpr std::size_t indirect = 2 * 3 + 3;
+    constexpr std::size_t geometry = 2 * surface + 3 * 3 + 5;
+    constexpr std::size_t indirect = 2 * 3 + 2;
     constexpr std::size_t remainder = 2 * 3;
     std::size_t floats = geometry + indirect + remainder;
     for (const LightLayer& light : buffers.lights)
-        floats += light.merged ? 8 : 7;
+        floats += light.merged ? 7 : 6;
     return floats * sizeof(float);
 }
 

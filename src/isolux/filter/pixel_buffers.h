@@ -79,7 +79,6 @@ struct PixelGeometry {
     Plane depth;          ///< m along the ray
     Plane coverage;       ///< share of the pixel's samples on the majority surface
     Plane lens_shift_min; ///< smallest |r(z)| of the pilot, pixels; 0 for a pinhole
-    Plane lens_shift_max; ///< largest |r(z)|, pixels
     Plane samples_a;      ///< samples of half A on the majority surface; 0: none
     Plane samples_b;      ///< the same of half B
 };
@@ -99,7 +98,6 @@ struct LightLayer {
     // (93), (94).
     Plane slope_min;    ///< smallest d1/d2 - 1 (occluder next to the receiver); < 0:
                         ///< no occluder
-    Plane slope_max;    ///< largest d1/d2 - 1 (occluder next to the light)
     Plane occluded;     ///< (occluded + 1/2)/(n0 + 1) of n0 shadow rays
     Plane merged_width; ///< m, smallest width of what is merged; only for a
                         ///< merged layer
@@ -124,7 +122,6 @@ struct IndirectLayer {
     // The pilot: hit distances along cosine-distributed directions, cos(theta) >=
     // 0.22.
     Plane z_min;    ///< m; infinite: nothing hit
-    Plane z_max;    ///< m
     Plane variance; ///< of one sample's luminance_sum, lx^2; < 0: unknown
 };
 
@@ -146,7 +143,7 @@ struct PixelBuffers {
 /// here
 [[nodiscard]] PixelBuffers make_pixel_buffers(PictureSize size, std::vector<LightLayer> lights);
 
-/// Memory of the buffers, bytes a pixel: 200 and 28 more for every light (32 if
+/// Memory of the buffers, bytes a pixel: 192 and 24 more for every light (28 if
 /// merged).
 [[nodiscard]] std::size_t bytes_a_pixel(const PixelBuffers& buffers) noexcept;
 

@@ -191,9 +191,12 @@ std::vector<std::uint16_t> counts_for_budget(const SampleNeed& need,
     };
     std::vector<std::uint16_t> counts(pixels, least);
     const double budget = mean * static_cast<double>(pixels);
+    constexpr double largest_factor = 1e7;
     double low = 0.0;
-    double high = 1e7;
-    constexpr int halvings = 60;
+    double high = 1.0;
+    for (; high < largest_factor && counts_at(high, counts) <= budget; high *= 4.0)
+        low = high;
+    constexpr int halvings = 24;
     for (int k = 0; k < halvings; ++k) {
         const double middle = 0.5 * (low + high);
         (counts_at(middle, counts) <= budget ? low : high) = middle;

@@ -10,6 +10,8 @@
 namespace isolux {
 namespace {
 
+constexpr std::size_t grain = 4096; ///< pixels
+
 /// Sums over `radius` neighbours to either side of every value of a line.
 void sum_line(const std::vector<double>& in, std::size_t radius, std::vector<double>& out) {
     const std::size_t n = in.size();
@@ -38,22 +40,35 @@ window_sum(PictureSize size, const std::vector<double>& values, std::size_t radi
                   out.end(),
                   along_rows.begin() + static_cast<std::ptrdiff_t>(y * size.columns));
     });
-    for_each_index(size.columns, 8, [&](std::size_t x) {
-        std::vector<double> in(size.rows);
-        std::vector<double> out(size.rows);
-        for (std::size_t y = 0; y < size.rows; ++y)
-            in[y] = along_rows[y * size.columns + x];
-        sum_line(in, radius, out);
-        for (std::size_t y = 0; y < size.rows; ++y)
-            result[y * size.columns + x] = out[y];
+    // Columns side by side, so that memory is read in order.
+    constexpr std::size_t side_by_side = 64;
+    for_each_range(size.columns, side_by_side, [&](std::size_t begin, std::size_t end) {
+        std::vector<double> sum(end - begin, 0.0);
+        const auto add = [&](std::size_t y, double sign) {
+            const double* const row = along_rows.data() + y * size.columns + begin;
+            for (std::size_t k = 0; k < sum.size(); ++k)
+                sum[k] += sign * row[k];
+        };
+        for (std::size_t y = 0; y < std::min(size.rows, radius); ++y)
+            add(y, 1.0);
+        for (std::size_t y = 0; y < size.rows; ++y) {
+            if (y + radius < size.rows)
+                add(y + radius, 1.0);
+            if (y > radius)
+                add(y - radius - 1, -1.0);
+            std::copy(sum.begin(),
+                      sum.end(),
+                      result.begin() + static_cast<std::ptrdiff_t>(y * size.columns + begin));
+        }
     });
     return result;
 }
 
 Plane mean_from_sums(const std::vector<double>& sum, const std::vector<double>& count) {
     Plane mean(sum.size());
-    for (std::size_t i = 0; i < sum.size(); ++i)
+    for_each_index(sum.size(), grain, [&](std::size_t i) {
         mean[i] = count[i] > 0.5 ? static_cast<float>(sum[i] / count[i]) : 0.0F;
+    });
     return mean;
 }
 
@@ -69,8 +84,9 @@ Plane masked_mean(const FilterSites& sites,
                   std::size_t radius,
                   const std::vector<double>& count) {
     std::vector<double> masked(values.size());
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for_each_index(values.size(), grain, [&](std::size_t i) {
         masked[i] = sites.object[i] != 0 ? values[i] : 0.0;
+    });
     return mean_from_sums(window_sum(sites.size, masked, radius), count);
 }
 
@@ -83,14 +99,14 @@ Plane window_mean(const FilterSites& sites, const Plane& values, std::size_t win
 SquaredErrors squared_errors(const Halves& raw, const Halves& filtered) {
     const std::size_t n = raw.a.size();
     SquaredErrors e{Plane(n), Plane(n), Plane(n)};
-    for (std::size_t i = 0; i < n; ++i) {
+    for_each_index(n, grain, [&](std::size_t i) {
         const float bias = (filtered.a[i] - raw.a[i]) * (filtered.b[i] - raw.b[i]);
         const float spread = filtered.a[i] - filtered.b[i];
         const float noise = raw.a[i] - raw.b[i];
         e.bias[i] = bias;
         e.filtered[i] = bias + 0.25F * spread * spread;
         e.raw[i] = 0.25F * noise * noise;
-    }
+    });
     return e;
 }
 

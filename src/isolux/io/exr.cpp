@@ -14,8 +14,10 @@
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfStringVectorAttribute.h>
+#include <OpenEXR/ImfThreading.h>
 
 #include "isolux/base/error.h"
+#include "isolux/base/parallel.h"
 #include "isolux/io/safe_file.h"
 #include "isolux/io/text_file.h"
 
@@ -111,9 +113,11 @@ public:
     }
 
     void add_luminance(const std::string& name, const Planes3& planes) {
+        constexpr std::size_t grain = 4096; // pixels
         Plane y(planes.x.size());
-        for (std::size_t i = 0; i < y.size(); ++i)
+        for_each_index(y.size(), grain, [&](std::size_t i) {
             y[i] = static_cast<float>(luminance_sum(planes.colour(i)));
+        });
         kept_.push_back(std::move(y));
         add(name, kept_.back());
     }
@@ -160,31 +164,35 @@ void write_exr(const std::filesystem::path& path, const ViewPicture& picture) {
     Layers layers(picture.size);
     layers.add_colours("", picture.shown());
     layers.add("Z", picture.depth);
-    layers.add_luminance("luminance.Y", picture.shown());
     layers.add_colours("raw.", picture.raw);
-    layers.add_luminance("raw.Y", picture.raw);
-    if (!picture.filtered.x.empty()) {
-        layers.add_colours("filtered.", picture.filtered);
-        layers.add_luminance("filtered.Y", picture.filtered);
-        layers.add("error.filtered", picture.filtered_error);
-        layers.add("filter.width", picture.filter_width);
-    }
     layers.add("error.Y", picture.standard_error);
-    layers.add_colours("emission.", picture.emission);
-    layers.add_colours("direct.", picture.direct);
-    layers.add_colours("indirect.", picture.indirect);
+    layers.add("error.filtered", picture.filtered_error);
     layers.add_colours("albedo.", picture.albedo);
     layers.add_vectors("normal.", picture.normal);
-    layers.add_vectors("position.", picture.position);
     layers.add("object.id", picture.object);
     layers.add("illuminance.E",
                picture.filtered_illuminance.empty() ? picture.illuminance
                                                     : picture.filtered_illuminance);
     layers.add("samples.N", picture.samples);
+    // Packing is a good part of a preview's time: it does without parts, places and copies.
+    if (!picture.is_preview) {
+        layers.add_luminance("luminance.Y", picture.shown());
+        layers.add_luminance("raw.Y", picture.raw);
+        layers.add_colours("filtered.", picture.filtered);
+        layers.add_luminance("filtered.Y", picture.filtered);
+        layers.add("filter.width", picture.filter_width);
+        layers.add_colours("emission.", picture.emission);
+        layers.add_colours("direct.", picture.direct);
+        layers.add_colours("indirect.", picture.indirect);
+        layers.add_vectors("position.", picture.position);
+    }
     add_attributes(layers.header, picture);
     MemoryOut out;
     try {
-        Imf::OutputFile file(out, layers.header);
+        const auto threads = static_cast<int>(allowed_threads());
+        if (Imf::globalThreadCount() < threads)
+            Imf::setGlobalThreadCount(threads);
+        Imf::OutputFile file(out, layers.header, threads);
         file.setFrameBuffer(layers.buffer);
         file.writePixels(static_cast<int>(picture.size.rows));
     } catch (const std::exception& e) {

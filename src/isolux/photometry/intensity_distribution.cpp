@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "isolux/base/arctangent.h"
+#include "isolux/base/arc_tangent.h"
 #include "isolux/base/check.h"
 
 namespace isolux {
@@ -125,12 +125,12 @@ double IntensityDistribution::interpolate(double azimuth, double polar) const no
 Candela IntensityDistribution::evaluate(const UnitVector3& d) const noexcept {
     // The polar angle by its tangent: acos would lose half the digits near the pole.
     if (pole_ == TablePole::nadir) {
-        const double polar = arctangent(std::sqrt(d.x() * d.x() + d.y() * d.y()), -d.z());
-        const double azimuth = is_rotational_ ? 0.0 : arctangent(d.y(), d.x());
+        const double polar = arc_tangent(std::sqrt(d.x() * d.x() + d.y() * d.y()), -d.z());
+        const double azimuth = is_rotational_ ? 0.0 : arc_tangent(d.y(), d.x());
         return Candela(interpolate(azimuth, polar));
     }
-    const double polar = arctangent(std::sqrt(d.x() * d.x() + d.z() * d.z()), d.y());
-    return Candela(interpolate(arctangent(d.x(), -d.z()), polar));
+    const double polar = arc_tangent(std::sqrt(d.x() * d.x() + d.z() * d.z()), d.y());
+    return Candela(interpolate(arc_tangent(d.x(), -d.z()), polar));
 }
 
 Candela IntensityDistribution::evaluate(Angle plane, Angle gamma) const noexcept {

@@ -97,4 +97,20 @@ bool continues(const Piece& p, const Piece& q) noexcept {
            && std::abs(dot(q.normal, p.a - q.a)) <= 0.35 * length(q.a - p.a) + 1e-9 * size;
 }
 
+PaneBox::PaneBox(const std::vector<Piece>& panes) {
+    constexpr double slack = 1e-3; // m; far above what a float loses in a room
+    constexpr double float_step = 1e-5;
+    for (const Piece& piece : panes)
+        for (const Vector3& p : {piece.a, piece.a + piece.ab, piece.a + piece.ac}) {
+            const double s =
+                slack + float_step * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+            lower = {std::min(lower.x, p.x - s),
+                     std::min(lower.y, p.y - s),
+                     std::min(lower.z, p.z - s)};
+            upper = {std::max(upper.x, p.x + s),
+                     std::max(upper.y, p.y + s),
+                     std::max(upper.z, p.z + s)};
+        }
+}
+
 } // namespace isolux

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -41,5 +42,20 @@ find_twins(const std::vector<Piece>& pieces, double reach);
 /// Whether two triangles are parts of one surface as far as light is concerned: hardly turned
 /// against each other, and neither in front of the other.
 [[nodiscard]] bool continues(const Piece& p, const Piece& q) noexcept;
+
+/// A box about all panes, in the ray tracer's precision: most rays have nothing to do with it.
+struct PaneBox {
+    Vector3 lower{1e30, 1e30, 1e30};
+    Vector3 upper{-1e30, -1e30, -1e30};
+
+    explicit PaneBox(const std::vector<Piece>& panes);
+
+    /// False is certain: the box about the segment and this one have nothing in common.
+    [[nodiscard]] bool may_meet(const Vector3& p, const Vector3& q) const noexcept {
+        return std::min(p.x, q.x) <= upper.x && std::max(p.x, q.x) >= lower.x
+               && std::min(p.y, q.y) <= upper.y && std::max(p.y, q.y) >= lower.y
+               && std::min(p.z, q.z) <= upper.z && std::max(p.z, q.z) >= lower.z;
+    }
+};
 
 } // namespace isolux

@@ -48,6 +48,7 @@ struct RayCaster::Implementation {
     Point3 centre;
     std::vector<Piece> opaque;
     std::vector<Piece> panes;
+    PaneBox pane_box{{}};
     std::vector<std::vector<std::uint32_t>> twins; ///< of opaque pieces
     std::optional<EmbreeScene> opaque_scene;       ///< none without triangles
     std::optional<EmbreeScene> pane_scene;
@@ -99,6 +100,7 @@ RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triang
     twins = find_twins(opaque, 4.0 * offset_at(reach));
     opaque_scene = build(opaque);
     pane_scene = build(panes);
+    pane_box = PaneBox(panes);
 }
 
 SurfaceHit RayCaster::Implementation::make_hit(const Vector3& from,
@@ -192,12 +194,49 @@ std::optional<SurfaceHit> RayCaster::find_first_hit(const Point3& origin,
     const auto wall = self.opaque_scene ? self.opaque_scene->find_first_hit(ray) : std::nullopt;
     if (wall)
         ray.far = wall->t;
-    auto pane = self.pane_scene ? self.pane_scene->find_first_hit(ray) : std::nullopt;
+    const bool may_see_pane =
+        self.pane_scene && self.pane_box.may_meet(from, from + ray.far * Vector3(direction));
+    auto pane = may_see_pane ? self.pane_scene->find_first_hit(ray) : std::nullopt;
     if (pane && wall && pane->t >= wall->t)
         pane.reset();
     if (!pane && !wall)
         return std::nullopt;
     return self.make_hit(from, direction, pane ? *pane : *wall, pane.has_value());
+}
+
+void RayCaster::find_first_hits16(std::span<const SightLine> lines,
+                                  std::span<std::optional<SurfaceHit>> hits) const noexcept {
+    ISOLUX_EXPECT(lines.size() <= packet_size && hits.size() >= lines.size());
+    const auto& self = *implementation_;
+    RayPacket packet{};
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        packet.set(i, {lines[i].eye - self.centre, lines[i].direction, 0.0, 1e30});
+    const std::uint32_t wanted = (1U << lines.size()) - 1U;
+    PacketHits walls;
+    PacketHits panes;
+    const std::uint32_t at_walls =
+        self.opaque_scene ? self.opaque_scene->find_first_hits(packet, wanted, walls) : 0U;
+    std::uint32_t at_panes = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if ((at_walls >> i & 1U) != 0)
+            packet.far[i] = walls.t[i];
+        const Vector3 from = lines[i].eye - self.centre;
+        const Vector3 end = from + static_cast<double>(packet.far[i]) * lines[i].direction;
+        at_panes |= self.pane_box.may_meet(from, end) ? 1U << i : 0U;
+    }
+    if (at_panes != 0)
+        at_panes = self.pane_scene->find_first_hits(packet, at_panes, panes);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const bool is_wall = (at_walls >> i & 1U) != 0;
+        const bool is_pane =
+            (at_panes >> i & 1U) != 0 && !(is_wall && panes.t[i] >= walls.t[i]);
+        hits[i].reset();
+        if (is_pane || is_wall)
+            hits[i] = self.make_hit(lines[i].eye - self.centre,
+                                    lines[i].direction,
+                                    is_pane ? panes[i] : walls[i],
+                                    is_pane);
+    }
 }
 
 Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
@@ -215,7 +254,7 @@ double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept
         return 1.0; // too short for anything to stand between
     if (self.opaque_scene && self.opaque_scene->is_occluded({from, way, 0.0, far}))
         return 0.0;
-    return self.panes.empty() ? 1.0 : self.pass_panes(from, to);
+    return self.pane_box.may_meet(from, to) ? self.pass_panes(from, to) : 1.0;
 }
 
 void RayCaster::transmittance16(std::span<const SightSegment> segments,
@@ -225,6 +264,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
     const auto& self = *implementation_;
     wanted &= (1U << segments.size()) - 1U;
     RayPacket packet{};
+    std::uint32_t near_panes = 0;
     for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));
         const Vector3 from = segments[i].a - self.centre;
@@ -232,6 +272,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
         const Vector3 way = to - from;
         packet.set(i, {from, way, 0.0, Implementation::end_of(to, length(way))});
         result[i] = 1.0F;
+        near_panes |= self.pane_box.may_meet(from, to) ? 1U << i : 0U;
         if (!(packet.far[i] > 0.0F))
             wanted &= ~(1U << i); // too short for anything to stand between
     }
@@ -241,8 +282,8 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
         self.opaque_scene ? self.opaque_scene->find_occluded(packet, wanted) : 0U;
     for (std::uint32_t rest = occluded; rest != 0; rest &= rest - 1)
         result[static_cast<std::size_t>(std::countr_zero(rest))] = 0.0F;
-    if (self.pane_scene)
-        self.pass_panes16(segments, packet, wanted & ~occluded, result);
+    if (const std::uint32_t open = wanted & ~occluded & near_panes; open != 0)
+        self.pass_panes16(segments, packet, open, result);
 }
 
 bool RayCaster::has_panes() const noexcept { return !implementation_->panes.empty(); }

@@ -24,6 +24,9 @@ constexpr double least_share = 0.1;
 /// with a photometric table"), sr.
 constexpr double large_solid_angle = 0.05;
 
+/// What rounding may do to the distance of a line from an opening's centre.
+constexpr double slack = 1.0 + 1e-6;
+
 bool is_rectangular(const Facet& f) noexcept {
     if (f.vertices.size() != 4)
         return false;
@@ -94,8 +97,12 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
         s.flux = in_lumen(l.flux);
         s.centre = l.placement.world_from_luminaire.origin;
         s.radius_squared = 0.25 * l.opening.largest_dimension * l.opening.largest_dimension;
-        for (const Facet& f : l.opening.facets)
+        for (const Facet& f : l.opening.facets) {
             s.area += f.area;
+            for (const Point3& p : f.vertices)
+                s.reach_squared = std::max(s.reach_squared,
+                                           slack * length_squared(p - s.centre) + slack - 1.0);
+        }
         const LightBounds bounds = bound_luminaire(l, types[l.placement.type.index()]);
         s.axis = bounds.axis;
         s.floor = least_share * s.flux / (4.0 * pi);
@@ -210,13 +217,14 @@ double Emission::pick_probability(std::size_t luminaire, const Point3& place) co
 
 OpeningView::OpeningView(const Luminaire& of,
                          std::size_t luminaire,
-                         const Point3& place) noexcept
+                         const Point3& place,
+                         OpeningDraw by) noexcept
     : of_(&of), luminaire_(luminaire), place_(place) {
     const Opening& opening = of.opening;
     if (opening.form == OpeningForm::solid)
         for (const Facet& f : opening.facets)
             weights_ += facet_weight(f, place);
-    if (opening.form != OpeningForm::flat)
+    if (opening.form != OpeningForm::flat || by == OpeningDraw::area)
         return;
     // The solid angle is below area / (distance to the nearest point)^2: far away no need to
     // ask.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -32,12 +33,22 @@ struct TowardsSample {
     double density = 0.0;
 };
 
+/// How points of a flat rectangle are drawn for a place near it.
+enum class OpeningDraw : std::uint8_t {
+    solid_angle, ///< half of them evenly in solid angle
+    area         ///< all of them evenly on the area
+};
+
 /// One luminaire's opening as a place sees it: what it takes to draw points of it, worked out
 /// once.
 class OpeningView {
 public:
     /// @param luminaire  number of `of` in its scene
-    OpeningView(const Luminaire& of, std::size_t luminaire, const Point3& place) noexcept;
+    /// @param by         near flat rectangles may be left to their area, which is quicker
+    OpeningView(const Luminaire& of,
+                std::size_t luminaire,
+                const Point3& place,
+                OpeningDraw by = OpeningDraw::solid_angle) noexcept;
 
     /// A point of the opening for the light that falls on the place: uniform on the area; near
     /// flat rectangles half of the points evenly in solid angle; on a solid opening only the
@@ -79,8 +90,10 @@ public:
                                                  double u_direction,
                                                  double v_direction) const noexcept;
 
-    [[nodiscard]] OpeningView view(std::size_t luminaire, const Point3& place) const noexcept {
-        return {scene_->luminaires[luminaire], luminaire, place};
+    [[nodiscard]] OpeningView view(std::size_t luminaire,
+                                   const Point3& place,
+                                   OpeningDraw by = OpeningDraw::solid_angle) const noexcept {
+        return {scene_->luminaires[luminaire], luminaire, place, by};
     }
 
     /// The luminaires' light tree, where they are many; else null.
@@ -107,6 +120,17 @@ public:
 
     [[nodiscard]] Rgb colour(std::size_t luminaire) const noexcept;
 
+    /// Whether the line through `origin` along `w` can meet the luminaire's opening: whether it
+    /// comes as near to its photometric centre as the opening's farthest corner.
+    [[nodiscard]] bool is_near_line(std::size_t luminaire,
+                                    const Point3& origin,
+                                    const UnitVector3& w) const noexcept {
+        const Source& s = sources_[luminaire];
+        const Vector3 d = s.centre - origin;
+        const double along = dot(d, w);
+        return length_squared(d) - along * along <= s.reach_squared;
+    }
+
 private:
     [[nodiscard]] double pick_weight(std::size_t luminaire, const Point3& place) const noexcept;
 
@@ -130,6 +154,8 @@ private:
         double area = 0.0;                   ///< m2 of all facets
         Point3 centre;
         double radius_squared = 0.0;
+        double reach_squared =
+            0.0;            ///< m2, from the centre to the farthest corner; 0: no opening
         UnitVector3 axis;   ///< its light is spread about this
         double floor = 0.0; ///< cd; every direction counts at least so much when picking
         std::array<float, 32>

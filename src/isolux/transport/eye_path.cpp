@@ -28,7 +28,8 @@ void follow_eye(const Scene& scene,
                 const SightLine& line,
                 NumberSequence& numbers,
                 EyePath& path,
-                std::uint64_t& rays) {
+                std::uint64_t& rays,
+                const std::optional<SurfaceHit>* first) {
     path.luminaires = {};
     path.surfaces.clear();
     path.is_certain = true;
@@ -39,7 +40,10 @@ void follow_eye(const Scene& scene,
         EyeBranch ray = waiting[--count];
         for (;;) {
             // Fly: openings on the way shine, the surface at the end may reflect.
-            const auto hit = scene.caster.find_first_hit(ray.along.origin, ray.along.w);
+            const auto hit = first != nullptr
+                                 ? *first
+                                 : scene.caster.find_first_hit(ray.along.origin, ray.along.w);
+            first = nullptr;
             ++rays;
             const double reach = hit ? hit->distance + 1e-4 : 1e30;
             visit_seen_openings(

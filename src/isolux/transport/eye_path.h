@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "isolux/base/receiver.h"
@@ -38,11 +39,13 @@ struct EyePath {
 /// the ray both ways with both weights; deeper ones choose by their shares, and roulette ends
 /// the chain.
 /// @param path  is overwritten; its memory is used again
+/// @param first  what the ray meets first, if that is known
 void follow_eye(const Scene& scene,
                 const Emission& emission,
                 const SightLine& line,
                 NumberSequence& numbers,
                 EyePath& path,
-                std::uint64_t& rays);
+                std::uint64_t& rays,
+                const std::optional<SurfaceHit>* first = nullptr);
 
 } // namespace isolux

@@ -17,6 +17,8 @@ void visit_seen_openings(const Emission& emission,
                          double reach,
                          const std::function<void(std::size_t, const Rgb&)>& see) {
     for (std::size_t l = 0; l < emission.luminaires(); ++l) {
+        if (!emission.is_near_line(l, ray.origin, ray.w))
+            continue;
         const Opening& opening = emission.luminaire(l).opening;
         for (std::size_t f = 0; f < opening.facets.size(); ++f) {
             const Facet& facet = opening.facets[f];

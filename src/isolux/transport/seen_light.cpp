@@ -163,8 +163,9 @@ LightAim SeenLight::aim(std::size_t l,
                         const Point3& at,
                         const UnitVector3& normal,
                         double u,
-                        double v) const noexcept {
-    const OpeningView view = emission_->view(l, at);
+                        double v,
+                        OpeningDraw by) const noexcept {
+    const OpeningView view = emission_->view(l, at, by);
     LightAim aim;
     aim.from = view.sample(u, v);
     const Vector3 d = at - aim.from.position;
@@ -181,40 +182,30 @@ LightAim SeenLight::aim(std::size_t l,
     return aim;
 }
 
-OccluderSlopes SeenLight::find_occluders(const LightAim& aim,
-                                         const Point3& at,
-                                         std::uint64_t& rays) const noexcept {
-    OccluderSlopes slopes;
-    const Point3 light = aim.sight.b;
-    const UnitVector3 w = aim.w;
-    const EmissionPoint& from = aim.from;
-    const UnitVector3 axis = normal_of(from.luminaire);
-    const double d1 = std::abs(dot(axis, at - from.position));
-    // The first opaque surface on the way from either end; panes are looked through.
-    const auto find = [&](Point3 origin, const UnitVector3& towards, double far) {
+double SeenLight::occluder_slope(const LightAim& aim,
+                                 const Point3& at,
+                                 std::uint64_t& rays) const noexcept {
+    const UnitVector3 axis = normal_of(aim.from.luminaire);
+    // The first opaque surface on the way; panes are looked through.
+    const auto find = [&] {
+        Point3 origin = at;
+        double far = distance(at, aim.sight.b);
         for (int i = 0; i < 8; ++i) {
-            const auto hit = scene_->caster.find_first_hit(origin, towards, far);
+            const auto hit = scene_->caster.find_first_hit(origin, -aim.w, far);
             ++rays;
             if (!hit)
-                return at; // lost to rounding: an occluder at the surface gives no width
+                break;
             const Material& m = scene_->material(scene_->triangle(hit->triangle).material);
             if (std::holds_alternative<Opaque>(m.scattering))
                 return hit->position;
             far -= hit->distance;
-            origin = scene_->caster.offset_point(hit->position, towards);
+            origin = scene_->caster.offset_point(hit->position, -aim.w);
         }
-        return at;
+        return at; // lost to rounding: an occluder at the surface gives no width
     };
-    const auto slope = [&](const Point3& occluder) {
-        const double d2 = std::abs(dot(axis, occluder - from.position));
-        return std::max(0.0, d1 / std::max(d2, 1e-4) - 1.0);
-    };
-    const double far = distance(at, light);
-    const double a = slope(find(at, -w, far));
-    const double b = slope(find(light, w, far));
-    slopes.nearest_surface = std::min(a, b);
-    slopes.nearest_light = std::max(a, b);
-    return slopes;
+    const double d1 = std::abs(dot(axis, at - aim.from.position));
+    const double d2 = std::abs(dot(axis, find() - aim.from.position));
+    return std::max(0.0, d1 / std::max(d2, 1e-4) - 1.0);
 }
 
 } // namespace isolux

@@ -23,13 +23,6 @@ struct LightAim {
     double share = 0.0; ///< cosine / (d2 density); 0: no light comes from there, seen or not
 };
 
-/// Occluders on the line between a surface and a luminaire, as the filter
-/// wants them: slopes d1/d2 - 1, distances along the luminaire's normal, METHODS eq. (93).
-struct OccluderSlopes {
-    double nearest_surface = 0.0; ///< of the occluder next to the surface: the smallest slope
-    double nearest_light = 0.0;   ///< of the one next to the luminaire: the largest
-};
-
 /// The luminaires of a scene, seen from surfaces. Refers to its arguments.
 class SeenLight {
 public:
@@ -50,16 +43,19 @@ public:
                                const Point3& at,
                                const UnitVector3& normal,
                                double u,
-                               double v) const noexcept;
+                               double v,
+                               OpeningDraw by = OpeningDraw::solid_angle) const noexcept;
 
     /// Illuminance of the point over its density, lx, if nothing stands between.
     [[nodiscard]] double weight(const LightAim& aim) const noexcept {
         return aim.share > 0.0 ? emission_->evaluate(aim.from, aim.w) * aim.share : 0.0;
     }
 
-    /// What stands on a line of sight that is known to be blocked, looked for from both ends.
-    [[nodiscard]] OccluderSlopes
-    find_occluders(const LightAim& aim, const Point3& at, std::uint64_t& rays) const noexcept;
+    /// Slope d1/d2 - 1 of the opaque surface next to `at` on a line of sight that is known to
+    /// be blocked: the smallest there, distances along the luminaire's normal, METHODS eq.
+    /// (93).
+    [[nodiscard]] double
+    occluder_slope(const LightAim& aim, const Point3& at, std::uint64_t& rays) const noexcept;
 
     /// Towards the side a flat opening shines to; of a solid one, the luminaire's nadir.
     [[nodiscard]] UnitVector3 normal_of(std::size_t l) const noexcept;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "isolux/base/angle.h"
-#include "isolux/base/arctangent.h"
 #include "isolux/base/colour.h"
 #include "isolux/base/frame.h"
 #include "isolux/base/units.h"
@@ -31,19 +30,6 @@ std::vector<UnitVector3> directions() {
     for (int i = 0; i < 200; ++i)
         all.emplace_back(Vector3{normal(), normal(), normal()});
     return all;
-}
-
-TEST(Arctangent, IsTheLibrarys) {
-    test::NormalDraws random(3);
-    for (int i = 0; i < 20000; ++i) {
-        const double y = random() * std::exp(4.0 * random());
-        const double x = random() * std::exp(4.0 * random());
-        EXPECT_NEAR(arctangent(y, x), std::atan2(y, x), 2e-15) << y << " " << x;
-    }
-    for (const double y : {-2.0, -1.0, -0.0, 0.0, 1.0, 2.0})
-        for (const double x : {-2.0, -1.0, 0.0, 1.0, 2.0})
-            EXPECT_NEAR(arctangent(y, x), std::atan2(y, x), 1e-15) << y << " " << x;
-    EXPECT_EQ(arctangent(0.0, 0.0), 0.0);
 }
 
 TEST(UnitVector, IsNormalisedAndTheZeroVectorHasADefault) {

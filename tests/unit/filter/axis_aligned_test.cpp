@@ -51,7 +51,6 @@ PenumbraError filter_penumbra(double k_mu,
     PixelBuffers buffers = make_floor_buffers({columns, 3}, step, {make_light(sigma, 2.0)});
     LightLayer& light = buffers.lights[0];
     std::fill(light.slope_min.begin(), light.slope_min.end(), static_cast<float>(slope));
-    light.slope_max = light.slope_min;
     const Plane v = over_floor(buffers, [&](double x, double) { return profile(x); });
     const FilterSites sites =
         make_shadow_sites(buffers.geometry, buffers.size, light, fixed_width(k_mu));

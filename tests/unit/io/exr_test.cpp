@@ -1,8 +1,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "isolux/base/error.h"
 #include "isolux/io/exr.h"
@@ -19,7 +21,9 @@ protected:
 
     ~Exr() override { fs::remove_all(folder_); }
 
-    fs::path folder_ = fs::temp_directory_path() / "isolux-exr-test";
+    fs::path folder_ =
+        fs::temp_directory_path()
+        / ("isolux-exr-test-" + std::to_string(::getpid())); // tests run side by side
     fs::path file_ = folder_ / "view.exr";
 };
 
@@ -90,6 +94,28 @@ TEST_F(Exr, HasNoFilteredLayersWithoutAFilter) {
     EXPECT_EQ(image.find("filter.width"), nullptr);
     ASSERT_NE(image.find("R"), nullptr);
     EXPECT_EQ(image.find("R")->at(7), 7.0F);
+}
+
+TEST_F(Exr, LeavesPartsPlacesAndCopiesOutOfPreviews) {
+    ViewPicture picture = small_picture(true);
+    picture.is_preview = true;
+    write_exr(file_, picture);
+    const ExrImage image = read_exr(file_);
+    for (const char* name : {"filtered.R", "luminance.Y", "raw.Y", "direct.R", "position.X"})
+        EXPECT_EQ(image.find(name), nullptr) << name;
+    for (const char* name : {"R",
+                             "raw.R",
+                             "error.Y",
+                             "error.filtered",
+                             "Z",
+                             "normal.Z",
+                             "albedo.G",
+                             "object.id",
+                             "illuminance.E",
+                             "samples.N"})
+        EXPECT_NE(image.find(name), nullptr) << name;
+    EXPECT_EQ(image.find("R")->at(7), 10.5F); // what is shown: filtered
+    EXPECT_EQ(image.find("raw.R")->at(7), 7.0F);
 }
 
 TEST_F(Exr, ReplacesAFileWholeOrNotAtAll) {

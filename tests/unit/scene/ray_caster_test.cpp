@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -301,6 +302,70 @@ TEST(RayCaster, TheSeamOfAPaneDimsOnce) {
         const double x = i / 200.0; // on the diagonal
         ASSERT_NEAR(caster.transmittance({x, x, -1}, {x, x, 1}), once, 1e-12);
     }
+}
+
+/// Rays far from all panes are not asked about them; a pane far away makes that no reason.
+TEST(RayCaster, PanesAreFoundWhetherTheirBoxIsSmallOrLarge) {
+    const CasterTriangle pane{.is_pane = true};
+    std::vector<CasterTriangle> few;
+    add_rectangle(few, {0.2, 0.2, 0.5}, {0.6, 0, 0}, {0, 0.6, 0}, pane);
+    std::vector<CasterTriangle> many = few;
+    add_rectangle(many, {-9, -9, -9}, {0.1, 0, 0}, {0, 0.1, 0}, pane);
+    add_rectangle(many, {9, 9, 9}, {0.1, 0, 0}, {0, 0.1, 0}, pane);
+    const RayCaster small(few);
+    const RayCaster large(many);
+    std::mt19937 engine(5);
+    std::uniform_real_distribution<double> u(0.0, 1.0);
+    std::size_t dimmed = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Point3 a{u(engine), u(engine), u(engine)};
+        const Point3 b{u(engine), u(engine), u(engine)};
+        ASSERT_NEAR(small.transmittance(a, b), large.transmittance(a, b), 1e-6) << i;
+        dimmed += small.transmittance(a, b) < 1.0 ? 1U : 0U;
+        const std::array<SightSegment, 1> one{{{a, b}}};
+        std::array<float, 1> seen{};
+        small.transmittance16(one, 1U, seen);
+        ASSERT_NEAR(seen[0], large.transmittance(a, b), 1e-6) << i;
+        const UnitVector3 w(b - a);
+        const auto hit = small.find_first_hit(a, w, distance(a, b));
+        const auto other = large.find_first_hit(a, w, distance(a, b));
+        ASSERT_EQ(hit.has_value(), other.has_value()) << i;
+    }
+    EXPECT_GT(dimmed, 400U);
+}
+
+TEST(RayCaster, SixteenLinesMeetWhatEachMeetsAlone) {
+    std::vector<CasterTriangle> t;
+    const CasterTriangle pane{.is_pane = true};
+    add_rectangle(t, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    add_rectangle(t, {-0.4, -0.4, 0.5}, {0.6, 0, 0}, {0, 0.6, 0}, pane);
+    const RayCaster caster(t);
+    std::mt19937 engine(3);
+    std::uniform_real_distribution<double> u(-1.0, 1.0);
+    std::size_t at_panes = 0;
+    std::size_t missed = 0;
+    for (std::size_t count = 1; count <= packet_size; ++count) {
+        std::array<SightLine, packet_size> lines;
+        for (SightLine& line : lines)
+            line = {{0.2 * u(engine), 0.2 * u(engine), 1.0},
+                    UnitVector3(Vector3{u(engine), u(engine), -0.8})};
+        std::array<std::optional<SurfaceHit>, packet_size> hits;
+        caster.find_first_hits16(std::span(lines).first(count), hits);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto alone = caster.find_first_hit(lines[i].eye, lines[i].direction);
+            ASSERT_EQ(hits[i].has_value(), alone.has_value()) << count << ' ' << i;
+            missed += alone ? 0U : 1U;
+            if (!alone)
+                continue;
+            EXPECT_EQ(hits[i]->triangle, alone->triangle);
+            EXPECT_NEAR(hits[i]->distance, alone->distance, 1e-6);
+            EXPECT_LT(distance(hits[i]->position, alone->position), 1e-6);
+            EXPECT_EQ(hits[i]->is_front, alone->is_front);
+            at_panes += alone->triangle.index() > 1 ? 1U : 0U;
+        }
+    }
+    EXPECT_GT(at_panes, 10U);
+    EXPECT_GT(missed, 10U);
 }
 
 TEST(RayCaster, PanesMultiplyAndWallsStop) {
