@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "isolux/base/parallel.h"
 #include "isolux/calc/bench_rooms.h"
+#include "isolux/calc/calculate.h"
 #include "isolux/calc/find_importance.h"
 
 #include "support/furnace.h"
@@ -43,13 +45,13 @@ struct Doorway {
         engine.paths = 512;
     }
 
-    PathImportance find(double value_of_first) const {
+    PathImportance find(double value_of_first, double value_of_others = 1.0) const {
         std::vector<VertexCache> caches;
         for (std::uint32_t r = 0; r < 8; ++r)
             caches.push_back(engine.cache(77, r, engine.counts()));
         std::vector<ImportancePoint> seen;
         for (const Receiver& r : points)
-            seen.push_back({&r, clear_point(scene, r), 1.0});
+            seen.push_back({&r, clear_point(scene, r), value_of_others});
         seen.front().value = value_of_first;
         return find_importance(scene, caches, seen);
     }
@@ -168,8 +170,63 @@ TEST(GuidedPaths, ArePickedByWhatTheyCarry) {
 }
 
 TEST(GuidedPaths, AreNotWantedWhereNoPointIsDark) {
-    EXPECT_TRUE(Doorway().find(1.0).is_even());
-    EXPECT_FALSE(Doorway().find(0.05).is_even());
+    EXPECT_TRUE(Doorway().find(1000.0, 1000.0).is_even());
+    EXPECT_FALSE(Doorway().find(10.0, 1000.0).is_even());
+    EXPECT_FALSE(Doorway().find(1.0, 1.0).is_even()); // all of them darker than the surfaces
+}
+
+/// Nothing absorbs: paths and their branches end nevertheless.
+TEST(GuidedPaths, EndInARoomThatReflectsEverything) {
+    test::Builder b;
+    const MaterialId white = b.add_diffuse(1.0);
+    b.add_room({0, 0, 0}, {4, 3, 2.5}, white, white, white);
+    b.add_panel({1, 1, 2.4}, {0, 0.5, 0}, {0.5, 0, 0}, 1000.0);
+    const Scene scene = b.build();
+    const Emission emission(scene);
+    for (const bool is_guided : {false, true}) {
+        const VertexCache c =
+            build_vertex_cache(scene,
+                               emission,
+                               PathRandomness(1, 0),
+                               0,
+                               64,
+                               EffectiveCounts{},
+                               is_guided ? random_importance(scene, 3) : PathImportance{});
+        EXPECT_GT(c.size(), 64U * 200U);
+        EXPECT_LT(c.size(), 64U * 20000U);
+    }
+}
+
+/// By source and material, over branches; and the same bits for any number of threads.
+TEST(GuidedPaths, KeepBooksAndBits) {
+    BenchRoom room = make_bench_room("corridor");
+    const Scene scene = build_scene(std::move(room.scene));
+    Settings settings;
+    settings.fixed_units = 1;
+    settings.contributions = SourceSplit::luminaires;
+    settings.sensitivities = true;
+    std::vector<double> first;
+    for (const std::size_t threads : {1, 2, 7}) {
+        const ThreadLimit limit(threads);
+        const Results r = calculate(scene, room.surfaces, settings, {});
+        std::vector<double> values;
+        for (const SurfaceResult& s : r.surfaces)
+            for (const PointResult& p : s.points)
+                values.push_back(p.total.mean);
+        if (first.empty())
+            first = values;
+        EXPECT_EQ(values, first) << threads;
+        ASSERT_TRUE(r.contributions);
+        const Contributions& c = *r.contributions;
+        for (std::size_t p = 0; p < values.size(); ++p) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < c.sources.size() * c.replicates; ++k) {
+                const std::size_t at = k * c.points + p;
+                sum += static_cast<double>(c.direct[at]) + static_cast<double>(c.indirect[at]);
+            }
+            EXPECT_NEAR(sum / static_cast<double>(c.replicates), values[p], 1e-5 * values[p]);
+        }
+    }
 }
 
 /// At equal numbers of paths the dark room's points get about half of the variance.
@@ -185,7 +242,8 @@ TEST(GuidedPaths, AreWorthItInTheDark) {
     const double plain = relative_variance(11);
     d.engine.importance = d.find(0.05);
     const VertexCache c = d.engine.cache(1, 1, d.engine.counts());
-    d.engine.vertices_per_path = static_cast<double>(c.size()) / static_cast<double>(c.paths);
+    d.engine.vertices_per_path =
+        static_cast<double>(c.picks.size()) / static_cast<double>(c.paths);
     const double guided = relative_variance(12);
     EXPECT_LT(guided, 0.7 * plain);
 }

@@ -104,10 +104,14 @@ Accumulator::PointEstimates Accumulator::estimates(const Tile& tile,
                                                    std::size_t point_in_tile) const {
     std::vector<double> d(replicates_), i(replicates_), t(replicates_);
     replicate_values(tile, point_in_tile, d, i, t);
-    return {estimate_from_replicates(d),
-            estimate_from_replicates(i),
-            estimate_from_replicates(t),
-            flag_replicates(t)};
+    return {
+        estimate_from_replicates(d), estimate_from_replicates(i), estimate_from_replicates(t)};
+}
+
+ReplicateFlags Accumulator::flags(const Tile& tile, std::size_t point_in_tile) const {
+    std::vector<double> d(replicates_), i(replicates_), t(replicates_);
+    replicate_values(tile, point_in_tile, d, i, t);
+    return flag_replicates(t);
 }
 
 SurfaceResult Accumulator::surface_result(const CalculationSurface& surface,
@@ -125,13 +129,13 @@ SurfaceResult Accumulator::surface_result(const CalculationSurface& surface,
             continue;
         for (std::size_t p = 0; p < tile.points; ++p, ++point) {
             replicate_values(tile, p, d, i, t);
-            const PointEstimates e = estimates(tile, p);
             PointResult& out = result.points[point];
-            out.total = e.total;
-            out.direct = e.direct;
-            out.indirect = e.indirect;
-            out.suspicious_replicate = e.flags.suspicious_replicate;
-            out.heavy_tail = e.flags.heavy_tail;
+            out.total = estimate_from_replicates(t);
+            out.direct = estimate_from_replicates(d);
+            out.indirect = estimate_from_replicates(i);
+            const ReplicateFlags flags = flag_replicates(t);
+            out.suspicious_replicate = flags.suspicious_replicate;
+            out.heavy_tail = flags.heavy_tail;
             for (std::size_t r = 0; r < replicates_; ++r) {
                 result.replicates.values[r * n + point] = t[r];
                 result.direct.values[r * n + point] = d[r];

@@ -95,10 +95,12 @@ public:
         Estimate direct;
         Estimate indirect;
         Estimate total;
-        ReplicateFlags flags; ///< of the total
     };
 
     [[nodiscard]] PointEstimates estimates(const Tile& tile, std::size_t point_in_tile) const;
+
+    /// Of the total.
+    [[nodiscard]] ReplicateFlags flags(const Tile& tile, std::size_t point_in_tile) const;
 
     /// Everything about one surface: points, flags by value, replicate table and summary.
     [[nodiscard]] SurfaceResult surface_result(const CalculationSurface& surface,

@@ -26,6 +26,9 @@ constexpr std::size_t fewest_replicates = 4;
 /// Up to so many open points all replicates of a unit run at once.
 constexpr std::size_t points_worth_waiting = 2048;
 
+/// ... as long as their vertices, of 200 bytes each, fit into so many.
+constexpr double most_vertices_at_once = 2e6;
+
 /// A part of a point's light whose variance is less than this share of what the point may have
 /// rests while the other part is refined.
 constexpr double good_enough = 0.3;
@@ -120,7 +123,9 @@ private:
         });
         // Replicates are independent: few points run them side by side, many one after the
         // other, so that memory stays small and an interruption finds complete ones.
-        const std::size_t side_by_side = open_points <= points_worth_waiting ? replicates : 1;
+        const bool are_small = open_points <= points_worth_waiting
+                               && engine_.vertices_of_a_unit() <= most_vertices_at_once;
+        const std::size_t side_by_side = are_small ? replicates : 1;
         std::vector<ReplicateFlux> flux(replicates);
         std::size_t complete = 0;
         while (complete < replicates && !cut_short && !must_stop()) {
@@ -235,16 +240,18 @@ private:
                 if (!sums_.is_open(tile.first + p))
                     continue;
                 const Accumulator::PointEstimates e = sums_.estimates(tile, p);
+                const bool is_doubtful =
+                    check == 0 && !settings_.fixed_units && sums_.flags(tile, p).heavy_tail;
+                const double doubt = is_doubtful ? doubt_in_tails : 1.0;
+                Estimate believed = e.total;
+                believed.standard_error *= doubt;
                 const double value = std::max(std::abs(e.total.mean), floor);
                 if (value > 0.0)
-                    worst_ = std::max(worst_, factor * e.total.standard_error / value);
+                    worst_ = std::max(worst_, factor * believed.standard_error / value);
                 // A point that has changed and sees nothing any more is no point in the dark.
                 const bool sees_nothing = e.indirect.standard_error == 0.0
                                           && sums_.parked_units(tile.first + p) > 0
                                           && sums_.parked(tile.first + p).mean > 0.0;
-                const double doubt = check == 0 && e.flags.heavy_tail ? doubt_in_tails : 1.0;
-                Estimate believed = e.total;
-                believed.standard_error *= doubt;
                 if (!sees_nothing && r.is_met(believed, check, floor)) {
                     sums_.refine(tile.first + p, false, false);
                     continue;

@@ -125,7 +125,10 @@ std::size_t SharedTask::all() const noexcept {
     return sum;
 }
 
-UnitCosts make_unit_costs(const Scene& scene, double vertices_per_path, double images) {
+UnitCosts make_unit_costs(const Scene& scene,
+                          double vertices_per_path,
+                          double chain_length,
+                          double images) {
     // Calibrated with tests/bench on one core of a server of 2023.
     const double triangles =
         static_cast<double>(std::max<std::size_t>(2, scene.triangles.size()));
@@ -139,7 +142,7 @@ UnitCosts make_unit_costs(const Scene& scene, double vertices_per_path, double i
     c.draw = 25.0 + 35.0 * depth;
     c.direction = next_event + 260.0 * depth;
     const double image = images * (next_event + 420.0 * depth);
-    c.sample = (vertices_per_path + 0.5) * (next_event + image + 220.0 * depth);
+    c.sample = (chain_length + 0.5) * (next_event + image + 220.0 * depth);
     c.look = c.draw;
     c.point = 150.0;
     return c;

@@ -81,10 +81,13 @@ struct UnitCosts {
     of(std::size_t m, const PointEffort& e, std::size_t points) const noexcept;
 };
 
-/// @param vertices_per_path  of the pilot
+/// @param vertices_per_path  of the pilot, with all branches
+/// @param chain_length       of a path without them
 /// @param images  how often traced paths look for a luminaire in mirrors, 0..1 a vertex
-[[nodiscard]] UnitCosts
-make_unit_costs(const Scene& scene, double vertices_per_path, double images);
+[[nodiscard]] UnitCosts make_unit_costs(const Scene& scene,
+                                        double vertices_per_path,
+                                        double chain_length,
+                                        double images);
 
 /// The points that share light paths: how many of each class, and what their samples are worth.
 struct SharedTask {

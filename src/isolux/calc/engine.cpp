@@ -74,7 +74,7 @@ Engine::Engine(const Scene& scene, const Settings& settings)
 
 void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
-    counts_ = {paths, paths * pilot_.vertices_per_path, 1.0, 1.0, corner_of(paths)};
+    counts_ = {paths, paths * pilot_.chain_length, 1.0, 1.0, corner_of(paths)};
 }
 
 /// Radius of METHODS eq. (33) for a number of paths, m; pure LE-MIS knows none.
@@ -131,7 +131,8 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         return direct_.samples_of(plans_[i]);
     };
     pilot_ = run_pilot(scene, target);
-    costs_ = make_unit_costs(*scene_, pilot_.vertices_per_path, images_.draws());
+    costs_ = make_unit_costs(
+        *scene_, pilot_.vertices_per_path, pilot_.chain_length, images_.draws());
     plan_ = make_work_plan(settings_, pilot_, costs_, points);
     effort_ = plan_.effort;
     fix_counts();

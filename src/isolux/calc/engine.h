@@ -86,6 +86,11 @@ public:
                          RayCounts& rays,
                          std::span<double> by_source = {}) const;
 
+    /// Of all replicates, about.
+    [[nodiscard]] double vertices_of_a_unit() const noexcept {
+        return replicates * static_cast<double>(effort_.paths) * pilot_.vertices_per_path;
+    }
+
     /// Whether any active receiver needs light paths.
     [[nodiscard]] bool needs_paths() const noexcept { return needs_paths_; }
 

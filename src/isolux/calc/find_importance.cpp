@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "isolux/base/parallel.h"
 #include "isolux/transport/response.h"
 
 namespace isolux {
 
 namespace {
 
-/// Where the darkest point has this share of their mean, paths need no guidance.
+/// Where the darkest point has this share of the points' or of all surfaces' mean, paths need
+/// no guidance.
 constexpr double dark = 0.2;
 
 constexpr std::size_t vertices_of_a_cell = 2; ///< that are looked from
@@ -61,8 +63,14 @@ PathImportance find_importance(const Scene& scene,
         least = std::min(least, p.value);
     }
     std::size_t paths = 0;
-    for (const VertexCache& c : caches)
+    double carried = 0.0;
+    for (const VertexCache& c : caches) {
         paths += c.paths;
+        for (const PathVertex& v : c.vertices)
+            carried += v.carried;
+    }
+    if (paths > 0) // or all points lie in the dark
+        mean = std::max(mean, carried / (static_cast<double>(paths) * scene.total_area));
     if (points.empty() || paths == 0 || !(least > 0.0) || least > dark * mean)
         return {};
     const double near = 0.25 * scene.total_area / static_cast<double>(paths);
@@ -73,6 +81,13 @@ PathImportance find_importance(const Scene& scene,
     std::vector<double> flux(CellOrder::keys, 0.0);
     std::vector<double> own(CellOrder::keys, 0.0);
     std::vector<std::size_t> looks(CellOrder::keys, 0);
+
+    struct Look {
+        std::uint32_t key = 0;
+        const PathVertex* vertex = nullptr;
+    };
+
+    std::vector<Look> looked_from;
     std::vector<Passage> passages;
     std::vector<std::uint32_t> keys;
     for (const VertexCache& c : caches) {
@@ -84,12 +99,18 @@ PathImportance find_importance(const Scene& scene,
             flux[key] += v.carried;
             if (v.back > 0)
                 passages.push_back({keys[i - v.back], key, v.carried});
-            if (looks[key]++ >= vertices_of_a_cell)
-                continue;
-            for (const ImportancePoint& p : seen_from)
-                own[key] += luminance_sum(v.radiant) / v.carried * effect(scene, v, p, near);
+            if (looks[key]++ < vertices_of_a_cell)
+                looked_from.push_back({key, &v});
         }
     }
+    std::vector<double> effects(looked_from.size(), 0.0);
+    for_each_index(looked_from.size(), 8, [&](std::size_t i) {
+        const PathVertex& v = *looked_from[i].vertex;
+        for (const ImportancePoint& p : seen_from)
+            effects[i] += luminance_sum(v.radiant) / v.carried * effect(scene, v, p, near);
+    });
+    for (std::size_t i = 0; i < effects.size(); ++i)
+        own[looked_from[i].key] += effects[i];
     for (std::size_t k = 0; k < CellOrder::keys; ++k)
         if (looks[k] > 0)
             own[k] /= static_cast<double>(std::min(looks[k], vertices_of_a_cell));

@@ -15,7 +15,7 @@ struct ImportancePoint {
 };
 
 /// Where light paths should go, METHODS eq. (135), from the vertices of a pilot. Even where no
-/// point is much darker than the others.
+/// point is much darker than the others and than surfaces are in the mean.
 [[nodiscard]] PathImportance find_importance(const Scene& scene,
                                              std::span<const VertexCache> caches,
                                              std::span<const ImportancePoint> points);

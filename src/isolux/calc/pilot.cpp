@@ -228,12 +228,12 @@ Pilot summarise(std::span<const PointVariance> points,
 }
 
 /// Walks the light paths of all replicates and looks at the points.
-/// @param vertices  per path, overwritten  @param looks  [replicate][point], overwritten but
-/// for the direct light
+/// @param pilot  its means over the paths are overwritten  @param looks  [replicate][point],
+/// overwritten but for the direct light
 std::vector<VertexCache> walk_and_look(const PilotScene& task,
                                        std::span<const std::size_t> points,
                                        const PathImportance& importance,
-                                       double& vertices,
+                                       Pilot& pilot,
                                        std::span<Look> looks) {
     const std::size_t replicates = looks.size() / points.size();
     const auto build = [&](std::uint32_t r, const EffectiveCounts& counts) {
@@ -245,11 +245,13 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
                                   counts,
                                   importance);
     };
-    // The counts of METHODS eq. (11) need the mean number of vertices: first replicate.
+    // The counts of METHODS eq. (11) need the mean length of a chain: first replicate.
     const VertexCache first = build(most_pilot_replicates, EffectiveCounts{});
-    vertices = std::max(0.01, static_cast<double>(first.size()) / static_cast<double>(paths));
     constexpr double m = paths;
-    const EffectiveCounts counts{m, m * vertices, 1.0, 1.0, task.corner};
+    pilot.vertices_per_path = std::max(0.01, static_cast<double>(first.size()) / m);
+    pilot.chain_length = first.picks.empty() ? pilot.vertices_per_path
+                                             : static_cast<double>(first.picks.size()) / m;
+    const EffectiveCounts counts{m, m * pilot.chain_length, 1.0, 1.0, task.corner};
     std::vector<VertexCache> caches(replicates);
     for_each_index(replicates, 1, [&](std::size_t r) {
         caches[r] = build(static_cast<std::uint32_t>(r), counts);
@@ -303,7 +305,7 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
                                               fewest_pilot_replicates,
                                               most_pilot_replicates);
     std::vector<Look> looks(points.size() * replicates); // [replicate][point]
-    double vertices = 1.0;
+    Pilot means;
     for_each_index(points.size(), 4, [&](std::size_t p) {
         std::vector<double> values(replicates);
         const double samples_taken = task.direct(points[p], first_replicate, values);
@@ -317,7 +319,7 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     if (task.reflected && task.emission->total_flux() > 0.0)
         for (int round = 0; round < most_rounds; ++round) {
             const std::vector<VertexCache> caches =
-                walk_and_look(task, points, importance, vertices, looks);
+                walk_and_look(task, points, importance, means, looks);
             if (round + 1 == most_rounds)
                 break;
             importance =
@@ -338,7 +340,8 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     for (const PointClass c : task.classes)
         ++all_points[static_cast<std::size_t>(c)];
     Pilot pilot = summarise(variances, classes, all_points, target);
-    pilot.vertices_per_path = vertices;
+    pilot.vertices_per_path = means.vertices_per_path;
+    pilot.chain_length = means.chain_length;
     pilot.importance = std::move(importance);
     return pilot;
 }

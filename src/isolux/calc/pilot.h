@@ -48,7 +48,8 @@ inline constexpr std::size_t pilot_paths = 512; ///< per replicate
 /// from replicates of their own and are thrown away: what follows from them steers the work and
 /// biases nothing.
 struct Pilot {
-    double vertices_per_path = 1.0;
+    double vertices_per_path = 1.0;  ///< with all branches
+    double chain_length = 1.0;       ///< vertices of a path if all carried the same
     ByClass<VarianceModel> of_class; ///< mean over its points; 0 where none was seen
     ByClass<std::size_t> points{};   ///< looked at
     VarianceModel all;               ///< mean over all points of the task

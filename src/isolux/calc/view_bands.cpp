@@ -132,8 +132,10 @@ ViewPicture render(const Scene& scene,
     whole.size = {view.camera.columns, view.camera.rows};
     for (std::size_t b = 0; b < bands.size(); ++b) {
         // Time that is up ends a band, the user all of them.
-        if (b > 0 && control.stop.stop_requested())
+        if (b > 0 && control.stop.stop_requested()) {
+            whole.interrupted = true;
             break;
+        }
         RenderSettings part = settings;
         if (settings.time_limit)
             part.time_limit =

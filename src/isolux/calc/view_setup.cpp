@@ -23,7 +23,6 @@ constexpr std::size_t large_picture = 2'000'000; ///< pixels
 /// Rays that find out which luminaires matter, across and down.
 constexpr std::size_t survey_side = 24;
 
-/// Luminaires by the light they send to what the view shows, brightest first.
 /// What each luminaire would send to what one ray shows, as it is reflected.
 std::vector<double>
 light_on_ray(const ViewSetup& setup, double x, double y, std::size_t number) {

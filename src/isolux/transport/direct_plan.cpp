@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -20,8 +21,8 @@ constexpr double point_like_ratio = 40.0;
 /// once for each by itself and once for all of them together: METHODS eq. (134).
 constexpr double rule_error = 1e-4;
 
-/// More than any light: the first two rules agree.
-constexpr double anything = 1e300;
+/// More than any light: the first three rules agree.
+constexpr double anything = std::numeric_limits<double>::infinity();
 
 /// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked
 /// at one by one.

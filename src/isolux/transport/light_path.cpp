@@ -48,7 +48,8 @@ struct Flight {
     double cos_departure = 1.0; ///< p_w of that vertex times pi, 1 at emission
     double edge = 0.0;          ///< length since the last vertex, straight through panes
     double passed = 1.0;        ///< transmittance of the panes in between
-    bool is_first = true;       ///< no vertex yet
+    double fade = 1.0;    ///< below 1 where surfaces reflect all: branches die out as well
+    bool is_first = true; ///< no vertex yet
     bool behind_mirror = false; ///< a Dirac reflection since the last vertex
     std::uint32_t bounce = 0;
     std::uint32_t order = 1;
@@ -127,7 +128,7 @@ private:
         tally_.absorbed += carried * (1.0 - m.albedo);
         if (!(m.albedo > 0.0))
             return false;
-        m.going_on = count(m, carried);
+        m.going_on = mean_flights(f, m, carried);
         if (m.diffuse > 0.0)
             keep_vertex(f, m, cos_in, triangle.material);
         return go_on(f, m);
@@ -135,14 +136,17 @@ private:
 
     /// Roulette and branching: panes decide by their own shares, surfaces by what the path
     /// would still carry and by how much it matters there.
-    [[nodiscard]] double count(const Meeting& m, double carried) const noexcept {
+    [[nodiscard]] double
+    mean_flights(Flight& f, const Meeting& m, double carried) const noexcept {
         if (m.event.is_pane)
             return m.albedo;
-        const double wanted =
-            m.albedo * carried / alpha_1_ * importance_.at(m.position, m.normal);
-        const bool may_branch = wanted > 1.0 && waiting_.size() < most_waiting;
-        return may_branch ? std::min(wanted, most_branches)
-                          : std::clamp(wanted, roulette_.least, roulette_.most);
+        double wanted = m.albedo * carried / alpha_1_;
+        if (importance_.is_even())
+            return std::clamp(wanted, roulette_.least, roulette_.most);
+        f.fade *= std::min(1.0, roulette_.most / m.albedo);
+        wanted *= f.fade * importance_.at(m.position, m.normal);
+        const double most = waiting_.size() < most_waiting ? most_branches : roulette_.most;
+        return std::clamp(wanted, roulette_.least, most);
     }
 
     /// How many flights like this one there are for each that gather rays would meet.

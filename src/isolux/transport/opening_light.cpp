@@ -174,11 +174,12 @@ std::optional<double> OpeningLight::integrate(std::size_t facet,
     // Two rules may agree by chance; three rarely do.
     constexpr double coarser = 4.0; // the first of them
     double before = apply_rule(facet, orders[first - 1]);
-    double change = 1e300;
+    double change = 0.0;
     for (std::size_t i = first; i < orders.size(); ++i) {
         const double now = apply_rule(facet, orders[i]);
         const double last_change = std::exchange(change, std::abs(now - before));
-        if (std::max(change, last_change / coarser) <= std::max(agreement * now, negligible))
+        if (i > first
+            && std::max(change, last_change / coarser) <= std::max(agreement * now, negligible))
             return now;
         before = now;
     }
