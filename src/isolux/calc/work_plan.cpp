@@ -70,7 +70,9 @@ void judge_classes(WorkPlan& plan,
         if (pilot.points[c] == 0 || !(shared > 0.0))
             continue;
         plan.advantage[c] = model.samples * task.costs.sample / shared;
-        if (settings.estimator == Estimator::automatic && plan.advantage[c] < worth_it) {
+        // In the dark a few traced paths say nothing: what they miss is rare.
+        if (settings.estimator == Estimator::automatic && pilot.importance.is_even()
+            && plan.advantage[c] < worth_it) {
             plan.of_class[c] = PointEstimator::path_tracing;
             left.points[c] = 0;
         }
