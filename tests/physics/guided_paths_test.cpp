@@ -199,7 +199,7 @@ TEST(GuidedPaths, EndInARoomThatReflectsEverything) {
 
 /// By source and material, over branches; and the same bits for any number of threads.
 TEST(GuidedPaths, KeepBooksAndBits) {
-    BenchRoom room = make_bench_room("corridor");
+    BenchRoom room = make_bench_room("doorway"); // two luminaires
     const Scene scene = build_scene(std::move(room.scene));
     Settings settings;
     settings.fixed_units = 1;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -268,6 +270,23 @@ TEST(RenderedPicture, HasTheSameBitsInBands) {
         EXPECT_NEAR(whole.error, joined.error, 1e-5 * whole.error);
         EXPECT_EQ(whole.object_names, joined.object_names);
     }
+}
+
+/// Whoever stops while the first band is filtered is told that the others are missing.
+TEST(RenderedPicture, SaysThatBandsAreMissing) {
+    const Scene scene = corner();
+    const View view = view_of({0.6, 0.4, 1.6}, {1.6, 1.8, 0.8}, 60.0, 12, 400);
+    RenderSettings settings = settings_of(4, PictureFilter::axis_aligned);
+    settings.pixels_at_once = 1000;
+    std::stop_source stop;
+    Control control;
+    control.stop = stop.get_token();
+    control.progress = [&](const Progress& p) {
+        if (std::string_view(p.stage) == "filtering")
+            stop.request_stop();
+    };
+    EXPECT_TRUE(render(scene, view, settings, control).interrupted);
+    EXPECT_TRUE(stop.stop_requested());
 }
 
 TEST(PictureBands, CoverAllRowsOnceAndLookBeyond) {
