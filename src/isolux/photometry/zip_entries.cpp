@@ -1,6 +1,7 @@
 #include "isolux/photometry/zip_entries.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <zip.h>
 
