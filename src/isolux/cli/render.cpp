@@ -144,7 +144,7 @@ Action add_render(CLI::App& verb) {
     verb.description("Render a project's views: pictures in cd/m2");
     verb.footer(R"(
 Writes for each view into DIR: VIEW.exr (OpenEXR: luminance and colour in cd/m2, raw and
-filtered, with error, parts, geometry; of a preview without parts and positions), VIEW.png (tone-mapped; the exposure is printed) and
+filtered, with error, parts, geometry), VIEW.png (tone-mapped; the exposure is printed) and
 VIEW-luminance.png (false colours with a legend). --quantity illuminance adds
 VIEW-illuminance.png: illuminance on the visible surfaces with isolux lines.
 

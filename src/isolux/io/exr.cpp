@@ -174,18 +174,15 @@ void write_exr(const std::filesystem::path& path, const ViewPicture& picture) {
                picture.filtered_illuminance.empty() ? picture.illuminance
                                                     : picture.filtered_illuminance);
     layers.add("samples.N", picture.samples);
-    // Packing is a good part of a preview's time: it does without parts, places and copies.
-    if (!picture.is_preview) {
-        layers.add_luminance("luminance.Y", picture.shown());
-        layers.add_luminance("raw.Y", picture.raw);
-        layers.add_colours("filtered.", picture.filtered);
-        layers.add_luminance("filtered.Y", picture.filtered);
-        layers.add("filter.width", picture.filter_width);
-        layers.add_colours("emission.", picture.emission);
-        layers.add_colours("direct.", picture.direct);
-        layers.add_colours("indirect.", picture.indirect);
-        layers.add_vectors("position.", picture.position);
-    }
+    layers.add_luminance("luminance.Y", picture.shown());
+    layers.add_luminance("raw.Y", picture.raw);
+    layers.add_colours("filtered.", picture.filtered);
+    layers.add_luminance("filtered.Y", picture.filtered);
+    layers.add("filter.width", picture.filter_width);
+    layers.add_colours("emission.", picture.emission);
+    layers.add_colours("direct.", picture.direct);
+    layers.add_colours("indirect.", picture.indirect);
+    layers.add_vectors("position.", picture.position);
     add_attributes(layers.header, picture);
     MemoryOut out;
     try {

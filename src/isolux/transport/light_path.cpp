@@ -62,9 +62,10 @@ struct Meeting {
     Point3 position;
     UnitVector3 normal;
     SurfaceEvent event;
-    double diffuse = 0.0;  ///< share of what the flight carries
-    double albedo = 0.0;   ///< of all events
-    double going_on = 0.0; ///< flights that leave, in the mean
+    double diffuse = 0.0;      ///< share of what the flight carries
+    double albedo = 0.0;       ///< of all events
+    double continuation = 0.0; ///< what a vertex here keeps
+    double going_on = 0.0;     ///< flights that leave, in the mean
 };
 
 class PathWalk {
@@ -129,6 +130,7 @@ private:
         if (!(m.albedo > 0.0))
             return false;
         m.going_on = mean_flights(f, m, carried);
+        m.continuation = m.going_on * m.diffuse / m.albedo * rarity(carried);
         if (m.diffuse > 0.0)
             keep_vertex(f, m, cos_in, triangle.material);
         return go_on(f, m);
@@ -150,8 +152,8 @@ private:
     }
 
     /// How many flights like this one there are for each that gather rays would meet.
-    [[nodiscard]] double rarity(const Flight& f) const noexcept {
-        return importance_.is_even() ? 1.0 : alpha_1_ / luminance_sum(f.alpha);
+    [[nodiscard]] double rarity(double carried) const noexcept {
+        return importance_.is_even() ? 1.0 : alpha_1_ / carried;
     }
 
     /// Only the diffuse part connects.
@@ -160,7 +162,7 @@ private:
         v.position = scene_.caster.offset_point(m.position, m.normal);
         v.normal = m.normal;
         v.radiant = (1.0 / pi) * (f.alpha * m.event.diffuse);
-        v.continuation = m.going_on * m.diffuse / m.albedo * rarity(f);
+        v.continuation = m.continuation;
         v.carried = luminance_sum(f.alpha);
         v.order = f.order;
         v.luminaire = static_cast<std::uint32_t>(start_.from.luminaire);
@@ -204,7 +206,6 @@ private:
     /// Which event. @param pick  in [0, albedo)
     void leave(Flight& f, const Meeting& m, double pick, std::size_t vertex) const {
         const double boost = m.albedo / m.going_on;
-        const double rare = rarity(f);
         const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::scatter;
         ++f.bounce;
         if (pick < m.diffuse) {
@@ -213,7 +214,7 @@ private:
             f.w = UnitVector3::from_unit(make_basis(m.normal).to_world(local));
             f.origin = scene_.caster.offset_point(m.position, m.normal);
             f.alpha = (boost / m.diffuse) * (f.alpha * m.event.diffuse);
-            f.continuation = m.going_on * m.diffuse / m.albedo * rare;
+            f.continuation = m.continuation;
             f.cos_departure = local.z;
             f.edge = 0.0;
             f.passed = 1.0;
