@@ -197,6 +197,48 @@ TEST(GuidedPaths, EndInARoomThatReflectsEverything) {
     }
 }
 
+/// The engine with all that hangs on it, corners left to walks (122) too, against path tracing,
+/// which knows no light paths. Rooms in which paths are guided.
+TEST(GuidedPaths, GiveWhatPathTracingGives) {
+    for (const char* name : {"near-walls", "doorway", "corridor"}) {
+        BenchRoom room = make_bench_room(name);
+        const Scene scene = build_scene(std::move(room.scene));
+        const auto run = [&](Estimator estimator, std::size_t units) {
+            Settings settings;
+            settings.estimator = estimator;
+            settings.fixed_units = units;
+            settings.seed = units;
+            return calculate(scene, room.surfaces, settings, {});
+        };
+        const Results guided = run(Estimator::automatic, 8);
+        const Results traced = run(Estimator::path_tracing, 64);
+        double chi_squared = 0.0;
+        double count = 0.0;
+        for (std::size_t s = 0; s < guided.surfaces.size(); ++s) {
+            const auto& points = guided.surfaces[s].points;
+            for (std::size_t p = 0; p < points.size(); ++p) {
+                const Estimate& a = points[p].total;
+                const Estimate& b = traced.surfaces[s].points[p].total;
+                if (b.standard_error == 0.0)
+                    continue; // traced paths saw nothing there
+                const double z =
+                    (a.mean - b.mean) / std::hypot(a.standard_error, b.standard_error);
+                EXPECT_LT(std::abs(z), z_limit) << name << ' ' << p;
+                chi_squared += z * z;
+                count += 1.0;
+            }
+            const Estimate& a = guided.surfaces[s].summary.mean;
+            const Estimate& b = traced.surfaces[s].summary.mean;
+            EXPECT_LT(std::abs(a.mean - b.mean),
+                      z_limit * std::hypot(a.standard_error, b.standard_error))
+                << name;
+        }
+        EXPECT_LT(chi_squared / count, 2.0)
+            << name; // about 1.1 by Student's t; points are correlated
+        EXPECT_GT(count, 35.0);
+    }
+}
+
 /// By source and material, over branches; and the same bits for any number of threads.
 TEST(GuidedPaths, KeepBooksAndBits) {
     BenchRoom room = make_bench_room("doorway"); // two luminaires
