@@ -154,15 +154,15 @@ TEST(GuidedPaths, ArePickedByWhatTheyCarry) {
     ASSERT_GT(n, 1000U);
     double sum = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-        const VertexCache::Pick p =
-            c.pick((static_cast<double>(k) + 0.5) / static_cast<double>(n));
-        sum += p.share * c.vertices[p.vertex].carried / static_cast<double>(n);
+        const std::size_t v =
+            c.sorted[c.draw((static_cast<double>(k) + 0.5) / static_cast<double>(n))];
+        sum += c.share_of(v) * c.vertices[v].carried / static_cast<double>(n);
     }
     EXPECT_NEAR(sum, c.carried / 2048.0, 1e-9 * sum);
     // Each as often as it carries, up to one: systematic draws.
     std::vector<std::size_t> times(c.vertices.size(), 0);
-    for (const std::uint32_t v : c.picks)
-        ++times[v];
+    for (const std::uint32_t place : c.picks)
+        ++times[c.sorted[place]];
     for (std::size_t v = 0; v < times.size(); ++v)
         EXPECT_LT(std::abs(static_cast<double>(times[v])
                            - static_cast<double>(n) * c.vertices[v].carried / c.carried),

@@ -86,8 +86,8 @@ bool is_close(const VertexCache& cache, std::size_t vertex, double corner) noexc
 }
 
 /// Fills the blocks, each column by column, so that the running sum follows the sorted order.
-void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& counts) {
-    const std::vector<std::uint32_t> sorted = sort_by_cell(cache.vertices, bounds);
+void pack(VertexCache& cache, const EffectiveCounts& counts) {
+    const std::vector<std::uint32_t>& sorted = cache.sorted;
     const std::size_t n = sorted.size();
     cache.blocks.resize((n + VertexBlock::size - 1) / VertexBlock::size);
     cache.vertex_at.assign(cache.blocks.size() * VertexBlock::size, 0);
@@ -119,11 +119,24 @@ void draw_picks(VertexCache& cache, double carried_by_a_path, double offset) {
     const double wanted = std::max(1.0, std::floor(cache.carried / carried_by_a_path));
     const double step = cache.carried / wanted;
     double running = 0.0;
-    for (std::uint32_t i = 0; i < cache.vertices.size(); ++i) {
-        running += cache.vertices[i].carried;
+    for (std::uint32_t i = 0; i < cache.sorted.size(); ++i) {
+        running += cache.vertices[cache.sorted[i]].carried;
         while ((static_cast<double>(cache.picks.size()) + offset) * step < running)
             cache.picks.push_back(i);
     }
+}
+
+VertexRecord record_of(const VertexCache& cache, std::size_t vertex) noexcept {
+    const PathVertex& v = cache.vertices[vertex];
+    const Vector3 p = v.position - cache.centre;
+    return {static_cast<float>(p.x),
+            static_cast<float>(p.y),
+            static_cast<float>(p.z),
+            static_cast<float>(v.normal.x()),
+            static_cast<float>(v.normal.y()),
+            static_cast<float>(v.normal.z()),
+            static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant)),
+            static_cast<float>(v.continuation)};
 }
 
 } // namespace
@@ -164,9 +177,13 @@ VertexCache build_vertex_cache(const Scene& scene,
         cache.flux.escaped += tallies[t].escaped;
         cache.flux.rays += tallies[t].rays;
     }
+    cache.sorted = sort_by_cell(cache.vertices, scene.bounds);
     if (!importance.is_even() && !cache.empty())
         draw_picks(cache, emission.total_flux(), random(pick_path + first, 0));
-    pack(cache, scene.bounds, counts);
+    cache.records.reserve(cache.size());
+    for (const std::uint32_t vertex : cache.sorted)
+        cache.records.push_back(record_of(cache, vertex));
+    pack(cache, counts);
     return cache;
 }
 

@@ -27,10 +27,18 @@ struct CloseVertex {
     std::uint32_t place = 0; ///< in the blocks, counted [block][row][column]
 };
 
+/// A vertex as who wants some at random looks at it, relative to the centre of the cache.
+struct alignas(32) VertexRecord {
+    float x = 0.0F, y = 0.0F, z = 0.0F;    ///< m
+    float nx = 0.0F, ny = 0.0F, nz = 0.0F; ///< normal of the lit side
+    float strength = 0.0F; ///< alpha rho / pi, the Y-sum, times VertexCache::share_of, lm/sr
+    float continuation = 0.0F;
+};
+
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
 /// precision for connections, and packed as floats for the vectorised kernel, there sorted by
 /// where they lie and face, so that neighbours in the running sum are neighbours in the room.
-/// Holds about 200 bytes a vertex.
+/// Holds about 240 bytes a vertex.
 struct VertexCache {
     std::size_t paths = 0;
     std::vector<PathVertex> vertices;
@@ -38,8 +46,12 @@ struct VertexCache {
     std::vector<VertexBlock> blocks;
     /// Which vertex stands at a place of the blocks, counted [block][row][column].
     std::vector<std::uint32_t> vertex_at;
-    /// Where importance drew more vertices than there is flux: some of them in proportion to
-    /// what they carry, for who wants one at random. Empty: any will do.
+    /// Which vertex is which in the sorted order, and all of them in that order.
+    std::vector<std::uint32_t> sorted;
+    std::vector<VertexRecord> records;
+    /// Where importance drew more vertices than there is flux: some of them, by their place in
+    /// the sorted order, in proportion to what they carry, for who wants some at random. Empty:
+    /// any will do.
     std::vector<std::uint32_t> picks;
     double carried = 0.0; ///< by all vertices, lm
     double corner = 0.0;  ///< of the counts
@@ -50,20 +62,19 @@ struct VertexCache {
 
     [[nodiscard]] bool empty() const noexcept { return vertices.empty(); }
 
-    struct Pick {
-        std::size_t vertex = 0;
-        double share = 0.0; ///< 1/(probability x paths)
-    };
+    /// One at random, in proportion to what they carry. @param u  in [0, 1); near ones give
+    /// neighbours in the room  @return  its place in the sorted order  @pre !empty()
+    [[nodiscard]] std::size_t draw(double u) const noexcept {
+        const std::size_t n = picks.empty() ? records.size() : picks.size();
+        const auto k = std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
+        return picks.empty() ? k : picks[k];
+    }
 
-    /// One at random, in proportion to what they carry. @param u  in [0, 1)  @pre !empty()
-    [[nodiscard]] Pick pick(double u) const noexcept {
-        const std::size_t n = picks.empty() ? vertices.size() : picks.size();
-        const std::size_t k =
-            std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
-        const auto all = static_cast<double>(paths);
-        if (picks.empty())
-            return {k, static_cast<double>(n) / all};
-        return {picks[k], carried / (vertices[picks[k]].carried * all)};
+    /// 1/(paths x probability that draw() gives a vertex)
+    [[nodiscard]] double share_of(std::size_t vertex) const noexcept {
+        const double all = picks.empty() ? static_cast<double>(vertices.size())
+                                         : carried / vertices[vertex].carried;
+        return all / static_cast<double>(paths);
     }
 };
 

@@ -8,6 +8,7 @@
 #include "isolux/sampling/warp.h"
 #include "isolux/transport/next_event.h"
 #include "isolux/transport/response.h"
+#include "isolux/transport/vertex_choice.h"
 
 namespace isolux {
 
@@ -145,6 +146,8 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
 
 /// A luminaire sample and one cached vertex light y; the light path could have done the same.
 void WalkFront::gather_at(Walk& walk, const Meeting& y) {
+    const double u_vertex = walk.numbers.next();
+    fetch_candidates(*cache_, u_vertex);
     const double u_luminaire = walk.numbers.next();
     const double u = walk.numbers.next();
     const double v = walk.numbers.next();
@@ -159,17 +162,20 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
                       reflected_by(y.material, walk.trail)});
     const RayPoint& point = points_[walk.point];
     const bool is_corner = point.leaves_corners && is_in_corner(point.at, y);
-    connect_vertex(walk, y, is_corner ? counts_.corner : 0.0);
+    connect_vertex(walk, y, u_vertex, is_corner ? counts_.corner : 0.0);
     if (is_corner)
         offer(walk, y, true);
 }
 
 /// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself.
-void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
-    const double u = walk.numbers.next();
-    if (cache_->empty())
+void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double u, double nearest) {
+    const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
+    const double n2p2 = gathered(walk) * counts_.gather_later * p2;
+    const auto chosen = choose_vertex(
+        *cache_, {y.at, y.normal, counts_.vertices / n2p2, nearest}, u, walk.numbers.next());
+    if (!chosen)
         return;
-    const auto [drawn, share] = cache_->pick(u);
+    const auto [drawn, share] = *chosen;
     const PathVertex& v = cache_->vertices[drawn];
     const Vector3 d = y.at - v.position;
     const double d2 = length_squared(d);
@@ -181,7 +187,6 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
     if (cos_v <= 0.0 || cos_y <= 0.0)
         return;
     const double p1 = v.continuation * (cos_v / pi) * cos_y / d2;
-    const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
     std::uint32_t trail = reflected_by(y.material, walk.trail);
     if (ledger_->wants_trails())
         visit_chain(*cache_, drawn, [&](MaterialId m) { trail = trails_.add(m, trail); });
@@ -189,7 +194,7 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double nearest) {
                       (y.throughput * share * cos_v * cos_y / (d2 * pi))
                           * (walk.throughput * v.radiant * y.diffuse),
                       counts_.vertices * p1,
-                      gathered(walk) * counts_.gather_later * p2,
+                      n2p2,
                       walk.point,
                       v.luminaire,
                       trail});

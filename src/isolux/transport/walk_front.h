@@ -72,7 +72,7 @@ private:
     void trace(std::span<const Ray> rays, const LightLedger& ledger);
     void arrive(const Ray& ray, const SurfaceHit& hit);
     void gather_at(Walk& walk, const Meeting& y);
-    void connect_vertex(Walk& walk, const Meeting& y, double nearest);
+    void connect_vertex(Walk& walk, const Meeting& y, double u, double nearest);
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
     void offer(Walk& walk, const Meeting& y, bool into_corner);

@@ -1,0 +1,162 @@
+// METHODS (139): a vertex chosen by what it would add stands for all of them.
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "isolux/calc/bench_rooms.h"
+#include "isolux/transport/vertex_choice.h"
+
+#include "support/small_engine.h"
+
+namespace isolux {
+namespace {
+
+using test::SmallEngine;
+
+struct Office {
+    BenchRoom room = make_bench_room("furnished-office");
+    Scene scene = build_scene(std::move(room.scene));
+    SmallEngine engine{scene};
+    LitPlace place{{2.1, 2.3, 1e-4}, UnitVector3(Vector3{0, 0, 1}), 0.02, 0.0};
+
+    VertexCache cache(const PathImportance& importance = {}) const {
+        return build_vertex_cache(scene,
+                                  engine.emission,
+                                  PathRandomness(5, 0),
+                                  0,
+                                  512,
+                                  {512.0, 2000.0, 1.0, 1.0, 0.3},
+                                  importance);
+    }
+};
+
+/// Unshadowed light of a vertex at a place, weighted as gathered light is.
+double light_of(const PathVertex& v, const LitPlace& y) {
+    const Vector3 d = y.at - v.position;
+    const double d2 = length_squared(d);
+    const double cosines = dot(v.normal, d) * -dot(y.normal, d);
+    if (dot(v.normal, d) <= 0.0 || dot(y.normal, d) >= 0.0 || d2 < y.nearest * y.nearest)
+        return 0.0;
+    const double g = cosines / (d2 * d2);
+    return luminance_sum(v.radiant) * g
+           / (1.0 + y.rival * v.continuation * g / std::numbers::pi);
+}
+
+/// Some vertices count, as if the others were hidden.
+double seen_light(const VertexCache& c, std::size_t vertex, const LitPlace& y) {
+    return vertex % 3 == 0 ? 0.0 : light_of(c.vertices[vertex], y);
+}
+
+struct Mean {
+    double value = 0.0;
+    double standard_error = 0.0;
+};
+
+/// Over many choices. @param odds_count  false: as if the choice had been an even one
+Mean mean_over_choices(const VertexCache& c, const LitPlace& y, bool odds_count = true) {
+    constexpr std::size_t n = 200000;
+    const RandomStream random(11, StreamPurpose::test, 0);
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto chosen = choose_vertex(c, y, random.uniform(i, 0), random.uniform(i, 1));
+        if (!chosen)
+            continue;
+        const double share = odds_count ? chosen->share : c.share_of(chosen->vertex);
+        const double x = share * seen_light(c, chosen->vertex, y);
+        sum += x;
+        squares += x * x;
+    }
+    const double mean = sum / n;
+    return {mean, std::sqrt((squares / n - mean * mean) / n)};
+}
+
+double exact(const VertexCache& c, const LitPlace& y) {
+    double sum = 0.0;
+    for (std::size_t v = 0; v < c.size(); ++v)
+        sum += seen_light(c, v, y);
+    return sum / static_cast<double>(c.paths);
+}
+
+/// Chance of a false alarm: 1e-6.
+constexpr double limit = 4.9;
+
+TEST(VertexChoice, StandsForAllVerticesWhoeverIsHidden) {
+    const Office o;
+    const VertexCache c = o.cache();
+    const Mean m = mean_over_choices(c, o.place);
+    ASSERT_GT(m.value, 0.0);
+    EXPECT_LT(std::abs(m.value - exact(c, o.place)), limit * m.standard_error);
+}
+
+TEST(VertexChoice, StandsForAllVerticesWhereImportanceDrewMore) {
+    const Office o;
+    std::vector<float> factors(CellOrder::keys);
+    const RandomStream random(3, StreamPurpose::test, 0);
+    for (std::size_t k = 0; k < factors.size(); ++k)
+        factors[k] = static_cast<float>(std::pow(40.0, random.uniform(k, 0)));
+    const VertexCache c = o.cache({o.scene.bounds, std::move(factors)});
+    ASSERT_FALSE(c.picks.empty());
+    // The picks are systematic: their mean is that of all vertices over many caches, and over
+    // one cache that of the picks.
+    double sum = 0.0;
+    for (const std::uint32_t place : c.picks) {
+        const std::size_t v = c.sorted[place];
+        sum += c.share_of(v) * seen_light(c, v, o.place);
+    }
+    sum /= static_cast<double>(c.picks.size());
+    const Mean m = mean_over_choices(c, o.place);
+    EXPECT_LT(std::abs(m.value - sum), limit * m.standard_error);
+}
+
+// A planted error: the odds of the choice left out.
+TEST(VertexChoice, NeedsItsOdds) {
+    const Office o;
+    const VertexCache c = o.cache();
+    const Mean m = mean_over_choices(c, o.place, false);
+    EXPECT_GT(std::abs(m.value - exact(c, o.place)), 10.0 * m.standard_error);
+}
+
+TEST(VertexChoice, VariesLessThanAnEvenDraw) {
+    const Office o;
+    const VertexCache c = o.cache();
+    constexpr std::size_t n = 200000;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t v =
+            c.sorted[c.draw((static_cast<double>(i) + 0.5) / static_cast<double>(n))];
+        squares += std::pow(c.share_of(v) * seen_light(c, v, o.place), 2);
+    }
+    const double mean = exact(c, o.place);
+    const double even = std::sqrt((squares / n - mean * mean) / n);
+    EXPECT_LT(mean_over_choices(c, o.place).standard_error, 0.7 * even);
+}
+
+TEST(VertexChoice, LeavesNearVerticesOut) {
+    Office o;
+    const VertexCache c = o.cache();
+    o.place.at = {2.1, 0.05, 0.05}; // in the corner of floor and wall
+    o.place.nearest = 1.5;
+    std::size_t near = 0;
+    for (const PathVertex& v : c.vertices)
+        near += length_squared(v.position - o.place.at) < 1.5 * 1.5 ? 1U : 0U;
+    ASSERT_GT(near, 20U);
+    const Mean m = mean_over_choices(c, o.place);
+    EXPECT_LT(std::abs(m.value - exact(c, o.place)), limit * m.standard_error);
+}
+
+TEST(VertexChoice, FindsNothingWhereNothingLights) {
+    Office o;
+    const VertexCache c = o.cache();
+    o.place.at.z = -0.5; // under the floor, facing down
+    o.place.normal = UnitVector3(Vector3{0, 0, -1});
+    EXPECT_FALSE(choose_vertex(c, o.place, 0.3, 0.6));
+    EXPECT_FALSE(choose_vertex(VertexCache{}, o.place, 0.3, 0.6));
+    fetch_candidates(VertexCache{}, 0.3); // nor a crash
+}
+
+} // namespace
+} // namespace isolux
