@@ -31,9 +31,13 @@ constexpr double most_samples_alone = 64.0;
 /// enough.
 void look_where_it_matters(WorkPlan& plan, const Pilot& pilot) {
     constexpr double enough = 0.5; // of the variance that is allowed
-    for (std::size_t c = 0; c < point_classes; ++c)
-        plan.effort.at[c].looks =
-            pilot.of_class[c].direct > enough ? DirectLight::most_looks : 1;
+    for (std::size_t c = 0; c < point_classes; ++c) {
+        std::size_t& looks = plan.effort.at[c].looks;
+        looks = 1;
+        while (looks < DirectLight::most_looks
+               && pilot.of_class[c].of_direct(plan.effort.at[c]) > enough)
+            looks *= 2;
+    }
 }
 
 void plan_tracing(WorkPlan& plan, const VarianceModel& model) {

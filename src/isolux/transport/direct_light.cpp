@@ -143,49 +143,61 @@ void DirectLight::add_opening(const Task& task,
     const Rgb colour = emission_->colour(opening.luminaire);
     const auto beta = static_cast<double>(opening.visible_share);
     const std::uint32_t looks = task.looks * looks_at(opening);
-    const std::size_t per_packet = packet_size / std::max(looks, 1U);
     const std::size_t replicates = ledger.total.size();
+    thread_local std::vector<double> sums;
+    sums.assign(replicates, 0.0);
+
     RayPacket packet(scene_->caster);
     std::array<Look, packet_size> seen;
-    for (std::size_t r0 = 0; r0 < replicates; r0 += per_packet) {
-        const std::size_t r1 = std::min(replicates, r0 + per_packet);
-        packet.clear();
-        // Looks and unshadowed samples each run through a sequence of their own without gaps,
-        // so that their error falls from unit to unit.
-        for (std::size_t r = r0; r < r1; ++r) {
-            const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-            const auto numbers = task.pair(opening.luminaire, replicate, 0);
-            for (std::uint32_t i = 0; i < looks; ++i) {
-                const auto [u, v] = numbers(task.unit * looks + i);
-                Look& k = seen[packet.size()];
-                k = light.look(u, v);
-                packet.add({task.clear, k.departure}, k.response > 0.0);
-            }
-        }
+    std::array<std::size_t, packet_size> of{}; // which replicate
+    const auto settle = [&] {
         packet.trace(rays);
-        for (std::size_t r = r0; r < r1; ++r) {
-            double sum = 0.0;
-            for (std::size_t k = (r - r0) * looks; k < (r - r0 + 1) * looks; ++k)
-                if (packet.is_wanted(k) && packet.visible(k) != beta)
-                    sum += light.value(seen[k]) * (packet.visible(k) - beta);
-            double e = looks > 0 ? sum / looks : 0.0;
-            if (beta > 0.0 && opening.unshadowed >= 0.0) {
-                e += beta * opening.unshadowed;
-            } else if (beta > 0.0) {
-                const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-                const auto more = task.pair(opening.luminaire, replicate, 1);
-                double unshadowed = 0.0;
-                const std::uint32_t samples = task.looks * unshadowed_samples;
-                for (std::uint32_t i = 0; i < samples; ++i) {
-                    const auto [u, v] = more(task.unit * samples + i);
-                    unshadowed += light.value(light.look(u, v));
-                }
-                e += beta * unshadowed / samples;
-            }
-            if (e != 0.0)
-                ledger.add(r, opening.luminaire, e * colour);
+        for (std::size_t k = 0; k < packet.size(); ++k)
+            if (packet.is_wanted(k) && packet.visible(k) != beta)
+                sums[of[k]] += light.value(seen[k]) * (packet.visible(k) - beta);
+        packet.clear();
+    };
+    // Looks and unshadowed samples each run through a sequence of their own without gaps, so
+    // that their error falls from unit to unit.
+    for (std::size_t r = 0; r < replicates; ++r) {
+        const auto numbers = task.pair(
+            opening.luminaire, task.first_replicate + static_cast<std::uint32_t>(r), 0);
+        for (std::uint32_t i = 0; i < looks; ++i) {
+            if (packet.is_full())
+                settle();
+            const auto [u, v] = numbers(task.unit * looks + i);
+            const std::size_t k = packet.size();
+            of[k] = r;
+            seen[k] = light.look(u, v);
+            packet.add({task.clear, seen[k].departure}, seen[k].response > 0.0);
         }
     }
+    settle();
+    for (std::size_t r = 0; r < replicates; ++r) {
+        double e = looks > 0 ? sums[r] / looks : 0.0;
+        if (beta > 0.0)
+            e += beta * unshadowed(task, opening, light, r);
+        if (e != 0.0)
+            ledger.add(r, opening.luminaire, e * colour);
+    }
+}
+
+/// What the opening would add if nothing stood in the way: known, or the mean of some samples.
+double DirectLight::unshadowed(const Task& task,
+                               const DirectPlan::Opening& opening,
+                               const OpeningLight& light,
+                               std::size_t replicate) {
+    if (opening.unshadowed >= 0.0)
+        return opening.unshadowed;
+    const auto numbers = task.pair(
+        opening.luminaire, task.first_replicate + static_cast<std::uint32_t>(replicate), 1);
+    const std::uint32_t samples = task.looks * unshadowed_samples;
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < samples; ++i) {
+        const auto [u, v] = numbers(task.unit * samples + i);
+        sum += light.value(light.look(u, v));
+    }
+    return sum / samples;
 }
 
 /// Draws from the tail in proportion to bounds, METHODS "Many luminaires": systematically over

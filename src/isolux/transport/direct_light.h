@@ -12,6 +12,8 @@
 
 namespace isolux {
 
+class OpeningLight;
+
 /// What of one receiver's direct light is known once and for all, and what has to be sampled in
 /// every unit of work.
 struct DirectPlan {
@@ -51,7 +53,7 @@ struct DirectPlan {
 /// negligible are drawn from the light tree instead of looked at one by one.
 class DirectLight {
 public:
-    static constexpr std::size_t most_looks = 4;
+    static constexpr std::size_t most_looks = 16;
 
     DirectLight(const Scene& scene, const Emission& emission, const MirrorImages& images);
 
@@ -113,6 +115,10 @@ private:
                      const DirectPlan::Opening& opening,
                      const LightLedger& ledger,
                      std::uint64_t& rays) const;
+    static double unshadowed(const Task& task,
+                             const DirectPlan::Opening& opening,
+                             const OpeningLight& light,
+                             std::size_t replicate);
     void add_tail(const Task& task,
                   const DirectPlan& plan,
                   const LightLedger& ledger,

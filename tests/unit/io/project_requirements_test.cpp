@@ -215,6 +215,16 @@ TEST(ObserversOfRequirements, TakeAGroupWithTheGridsNameForTheGrid) {
                 ElementsAre("door", "office observers"));
 }
 
+TEST(ObserversOfRequirements, AreNotNamedInVain) {
+    std::vector<Message> notices;
+    const std::string keys = R"(, "leave_out": "observers", "observers": "teacher")";
+    EXPECT_THAT(judged_at(keys, pupils, &notices), IsEmpty());
+    ASSERT_EQ(notices.size(), 1U);
+    EXPECT_EQ(to_string(notices[0]),
+              "p.json:6: #/requirements/0/observers: nobody is judged at these observers (row "
+              "44.1 limits no glare here). Leave \"observers\" out?");
+}
+
 TEST(ObserversOfRequirements, MustExistAndBeOfTheScale) {
     const auto complaint_about = [](const std::string& observers,
                                     const std::string& names,
