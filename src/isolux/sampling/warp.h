@@ -41,7 +41,7 @@ private:
     Point3 origin_;
     Vector3 ex_, ey_, ez_;
     double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
-    double b0_ = 0, b1_ = 0, k_ = 0, omega_ = 0;
+    double b0_ = 0, b1_ = 0, cos_k_ = 0, sin_k_ = 0, omega_ = 0;
 };
 
 /// Spherical triangle with unit vertices, uniform in solid angle (METHODS "Spherical

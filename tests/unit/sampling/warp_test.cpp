@@ -256,6 +256,24 @@ TEST(SphericalRectangle, EndsOfTheUnitSquareStayOnTheRectangle) {
             }
 }
 
+TEST(SphericalRectangle, IsNearlyHalfASphereFromRightAboveIt) {
+    for (const double height : {1e-9, 1e-6, 1e-3, 0.1, 0.3})
+        for (const double x : {1e-4, 0.1, 0.5}) {
+            const View w{{0, 0, 0}, {0, 1, 0}, {2, 0, 0}, {x, 0.3, height}};
+            const SphericalRectangle r(w.corner, w.edge_u, w.edge_v, w.eye);
+            EXPECT_NEAR(
+                r.solid_angle(), solid_angle(outline(w), w.eye), std::max(1e-13, 1e-15 / height));
+        }
+}
+
+TEST(SphericalRectangle, IsAlmostNothingFromFarAway) {
+    for (const double away : {1e3, 1e5, 1e7, 1e9, 1e11})
+        for (const double aside : {0.0, 0.5, 30.0}) {
+            const SphericalRectangle r({aside, -0.4, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, away});
+            EXPECT_NEAR(r.solid_angle(), 1.0 / (away * away), 2e-3 / (away * away) + 2e-15);
+        }
+}
+
 TEST(SphericalRectangle, SeenFromItsPlaneIsNothing) {
     EXPECT_EQ(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3, 0}).solid_angle(),
               0.0);
