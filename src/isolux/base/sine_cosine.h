@@ -2,6 +2,9 @@
 
 #include <bit>
 #include <cstdint>
+#include <numbers>
+
+#include "isolux/base/angle.h"
 
 namespace isolux {
 
@@ -9,6 +12,11 @@ struct SineCosine {
     double sine = 0.0;
     double cosine = 1.0;
 };
+
+[[nodiscard]] constexpr SineCosine sum_of_angles(const SineCosine& a,
+                                                 const SineCosine& b) noexcept {
+    return {a.sine * b.cosine + a.cosine * b.sine, a.cosine * b.cosine - a.sine * b.sine};
+}
 
 /// Sine and cosine of an angle in turns, 1 for the full circle, without a call or a branch, for
 /// kernels: to 2.5e-16, small sines to as much of their own size. @pre |turns| < 2^48
@@ -42,6 +50,10 @@ struct SineCosine {
     const std::uint64_t swap = (a ^ b) & -(quarter & 1U);
     return {std::bit_cast<double>(a ^ swap ^ (quarter & 2U) << 62U),
             std::bit_cast<double>(b ^ swap ^ ((quarter + 1U) & 2U) << 62U)};
+}
+
+[[nodiscard]] inline SineCosine sine_cosine(Angle a) noexcept {
+    return sine_cosine(a.in_radians() / (2.0 * std::numbers::pi));
 }
 
 } // namespace isolux

@@ -1,10 +1,12 @@
 #include "isolux/sampling/warp.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "isolux/base/arc_tangent.h"
 #include "isolux/base/check.h"
@@ -53,6 +55,23 @@ UnitVector3 perpendicular_part(const Vector3& p, const Vector3& q) noexcept {
 
 double unit_sine(double cosine) noexcept {
     return std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine)));
+}
+
+/// Draws from a running sum, knowing that the entry is in [first, last).
+DiscreteSample sample_between(std::span<const double> cumulative,
+                              std::size_t first,
+                              std::size_t last,
+                              double u) noexcept {
+    ISOLUX_EXPECT(!cumulative.empty() && cumulative.back() > 0.0);
+    // u < 1, so the target is below the total unless rounding lifts it there.
+    const double total = cumulative.back();
+    const double target = std::min(u * total, total * largest_below_one);
+    const auto found =
+        std::upper_bound(cumulative.data() + first, cumulative.data() + last, target);
+    const auto index = static_cast<std::size_t>(found - cumulative.data());
+    const double below = index > 0 ? cumulative[index - 1] : 0.0;
+    const double stretched = (target - below) / (cumulative[index] - below);
+    return {index, std::clamp(stretched, 0.0, largest_below_one)};
 }
 
 } // namespace
@@ -201,15 +220,20 @@ double solid_angle(std::span<const Point3> vertices, const Point3& seen_from) no
 }
 
 DiscreteSample sample_cumulative(std::span<const double> cumulative, double u) noexcept {
-    ISOLUX_EXPECT(!cumulative.empty() && cumulative.back() > 0.0);
-    // u < 1, so the target is below the total unless rounding lifts it there.
-    const double total = cumulative.back();
-    const double target = std::min(u * total, total * largest_below_one);
-    const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), target);
-    const auto index = static_cast<std::size_t>(found - cumulative.begin());
-    const double below = index > 0 ? cumulative[index - 1] : 0.0;
-    const double stretched = (target - below) / (cumulative[index] - below);
-    return {index, std::clamp(stretched, 0.0, largest_below_one)};
+    return sample_between(cumulative, 0, cumulative.size(), u);
+}
+
+CumulativeTable::CumulativeTable(std::vector<double> sums) : sums_(std::move(sums)) {
+    const std::size_t steps = std::bit_ceil(sums_.size());
+    for (std::size_t k = 0; k <= steps; ++k)
+        start_.push_back(static_cast<std::uint32_t>(
+            sample_cumulative(sums_, static_cast<double>(k) / static_cast<double>(steps))
+                .index));
+}
+
+DiscreteSample CumulativeTable::sample(double u) const noexcept {
+    const auto k = static_cast<std::size_t>(u * static_cast<double>(start_.size() - 1));
+    return sample_between(sums_, start_[k], start_[k + 1] + std::size_t{1}, u);
 }
 
 } // namespace isolux

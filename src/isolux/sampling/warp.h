@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -78,5 +79,20 @@ struct DiscreteSample {
 /// An entry of weight 0 is never drawn.
 [[nodiscard]] DiscreteSample sample_cumulative(std::span<const double> cumulative,
                                                double u) noexcept;
+
+/// A running sum that is drawn from often. It knows for as many even steps of u as it has
+/// entries (or more) where the search begins and ends; the draws are those of
+/// sample_cumulative.
+class CumulativeTable {
+public:
+    CumulativeTable() = default;
+    explicit CumulativeTable(std::vector<double> sums);
+
+    [[nodiscard]] DiscreteSample sample(double u) const noexcept;
+
+private:
+    std::vector<double> sums_;
+    std::vector<std::uint32_t> start_; ///< entry drawn by u = k/(size - 1)
+};
 
 } // namespace isolux

@@ -417,6 +417,31 @@ TEST(SampleCumulative, DrawsByWeightAndNeverAnEmptyEntry) {
     EXPECT_EQ(sample_cumulative(cumulative, std::nextafter(1.0, 0.0)).index, 6u);
 }
 
+TEST(CumulativeTable, DrawsWhatTheSumsAloneWouldGive) {
+    const RandomStream stream(4, StreamPurpose::test, 0);
+    for (const std::size_t entries : {1U, 2U, 3U, 64U, 1000U}) {
+        std::vector<double> sums;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < entries; ++i) {
+            const auto x = stream.uniform4(i, static_cast<std::uint32_t>(entries));
+            // many of nothing, some of much
+            sums.push_back(sum += entries > 3 && x[0] < 0.7 ? 0.0 : std::pow(x[1], 9.0));
+        }
+        const CumulativeTable table(sums);
+        const auto agrees = [&](double u) {
+            const DiscreteSample a = table.sample(u);
+            const DiscreteSample b = sample_cumulative(sums, u);
+            return a.index == b.index && a.stretched == b.stretched;
+        };
+        for (std::uint32_t i = 0; i < 20000; ++i)
+            ASSERT_TRUE(agrees(stream.uniform(i, 7))) << entries;
+        for (std::size_t i = 0; i < entries; ++i) // right at the borders, and next to them
+            for (const double u : {sums[i] / sum, std::nextafter(sums[i] / sum, 0.0)})
+                ASSERT_TRUE(u >= 1.0 || agrees(u)) << entries;
+        ASSERT_TRUE(agrees(0.0) && agrees(last)) << entries;
+    }
+}
+
 TEST(SampleCumulative, StretchesTheRestToTheWholeInterval) {
     const std::vector<double> cumulative = {1, 4, 4, 8};
     EXPECT_DOUBLE_EQ(sample_cumulative(cumulative, 0.3125).stretched, 0.5); // 2.5 of [1, 4)
