@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,5 +24,22 @@ sobol_owen(std::uint32_t index, std::uint32_t dimension, std::uint32_t scramble)
 /// A scramble seed for one dimension of one replicate.
 [[nodiscard]] std::uint32_t
 make_scramble(std::uint64_t seed, std::uint32_t replicate, std::uint32_t dimension) noexcept;
+
+/// All dimensions of one replicate's sequence: whole points for little more than a single draw.
+class ScrambledSobol {
+public:
+    ScrambledSobol(std::uint64_t seed, std::uint32_t replicate) noexcept;
+
+    /// Some more than there are, for even vectors.
+    using Words = std::array<std::uint32_t, (sobol_dimensions + 7) / 8 * 8>;
+
+    /// Point `index`: 2^-32 times word d equals sobol_owen(index, d, make_scramble(seed,
+    /// replicate, d)).
+    [[nodiscard]] Words words(std::uint32_t index) const noexcept;
+
+private:
+    Words shift_{};
+    Words factor_{};
+};
 
 } // namespace isolux

@@ -239,9 +239,13 @@ void RayCaster::find_first_hits16(std::span<const SightLine> lines,
     }
 }
 
-Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
+Point3 RayCaster::offset_point(const Point3& p, const UnitVector3& free_side) const noexcept {
     const double step = Implementation::offset_at(p - implementation_->centre);
-    return p + step * Vector3(UnitVector3(free_side));
+    return p + step * Vector3(free_side);
+}
+
+Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
+    return offset_point(p, UnitVector3(free_side));
 }
 
 double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept {

@@ -123,30 +123,32 @@ EmissionSample Emission::sample_emission(double u_luminaire,
     const Luminaire& luminaire = scene_->luminaires[l];
     const Frame& frame = luminaire.placement.world_from_luminaire;
 
-    UnitVector3 w;
+    EmissionSample sample{{l, 0, frame.origin}, {}};
+    UnitVector3& w = sample.direction;
+    double candela = 0.0;
     if (source.table != nullptr) {
-        w = UnitVector3(
-            frame.vector_from_local(source.table->sample(u_direction, v_direction)));
-    } else if (std::holds_alternative<LambertianSource>(source.type->source)) {
-        const bool has_front = luminaire.opening.form == OpeningForm::flat;
-        const UnitVector3 front =
-            has_front ? luminaire.opening.facets.front().normal : -frame.z;
-        w = UnitVector3(
-            make_basis(front).to_world(sample_cosine_hemisphere(u_direction, v_direction)));
+        const TableDraw draw = source.table->draw(u_direction, v_direction);
+        w = UnitVector3(frame.vector_from_local(draw.direction));
+        candela = source.type->flux_scale * draw.candela;
     } else {
-        w = sample_sphere(u_direction, v_direction);
+        if (std::holds_alternative<LambertianSource>(source.type->source)) {
+            const bool has_front = luminaire.opening.form == OpeningForm::flat;
+            const UnitVector3 front =
+                has_front ? luminaire.opening.facets.front().normal : -frame.z;
+            w = UnitVector3(make_basis(front).to_world(
+                sample_cosine_hemisphere(u_direction, v_direction)));
+        } else {
+            w = sample_sphere(u_direction, v_direction);
+        }
+        candela = intensity(l, w);
     }
-
-    switch (luminaire.opening.form) {
-    case OpeningForm::point:
-        return {{l, 0, frame.origin}, w};
-    case OpeningForm::flat:
-        return {{l, 0, sample_polygon(luminaire.opening.facets[0].vertices, u_place, v_place)},
-                w};
-    case OpeningForm::solid:
-        return {place_on_solid(l, w, u_place, v_place), w};
-    }
-    return {};
+    if (luminaire.opening.form == OpeningForm::flat)
+        sample.from.position =
+            sample_polygon(luminaire.opening.facets[0].vertices, u_place, v_place);
+    else if (luminaire.opening.form == OpeningForm::solid)
+        sample.from = place_on_solid(l, w, u_place, v_place);
+    sample.strength = per_area(sample.from, w, candela);
+    return sample;
 }
 
 OpeningView::OpeningView(const Luminaire& of,
@@ -239,16 +241,25 @@ double Emission::pdf_towards(const Point3& place, const EmissionPoint& from) con
 }
 
 double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const noexcept {
+    return per_area(from, w, intensity(from.luminaire, w));
+}
+
+double Emission::intensity(std::size_t luminaire, const UnitVector3& w) const noexcept {
+    const Frame& frame = scene_->luminaires[luminaire].placement.world_from_luminaire;
+    const UnitVector3 local = UnitVector3::from_unit(frame.vector_to_local(w));
+    return in_candela(luminous_intensity(*sources_[luminaire].type, local));
+}
+
+double Emission::per_area(const EmissionPoint& from,
+                          const UnitVector3& w,
+                          double candela) const noexcept {
     const Luminaire& l = scene_->luminaires[from.luminaire];
-    const Source& s = sources_[from.luminaire];
-    const UnitVector3 local =
-        UnitVector3::from_unit(l.placement.world_from_luminaire.vector_to_local(w));
-    const double intensity = l.placement.scale * in_candela(luminous_intensity(*s.type, local));
+    const double intensity = l.placement.scale * candela;
     switch (l.opening.form) {
     case OpeningForm::point:
         return intensity;
     case OpeningForm::flat:
-        return intensity / s.area;
+        return intensity / sources_[from.luminaire].area;
     case OpeningForm::solid: {
         const double shown = std::max(0.0, dot(l.opening.facets[from.facet].normal, w));
         return shown > 0.0 ? intensity * shown / projected_area(l.opening, w) : 0.0;
@@ -257,12 +268,12 @@ double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const
     return 0.0;
 }
 
-Point3 Emission::departure(const EmissionPoint& from, const Vector3& w) const noexcept {
+Point3 Emission::departure(const EmissionPoint& from, const UnitVector3& w) const noexcept {
     const Luminaire& l = scene_->luminaires[from.luminaire];
     const RayCaster& caster = scene_->caster;
     if (l.opening.form == OpeningForm::point)
         return caster.offset_point(from.position, w);
-    const Vector3 normal = l.opening.facets[from.facet].normal;
+    const UnitVector3& normal = l.opening.facets[from.facet].normal;
     return caster.offset_point(from.position, dot(normal, w) >= 0.0 ? normal : -normal);
 }
 

@@ -24,6 +24,7 @@ struct EmissionPoint {
 struct EmissionSample {
     EmissionPoint from;
     UnitVector3 direction;
+    double strength = 0.0; ///< Emission::evaluate of the two
 };
 
 /// An emission point drawn to light a given place, and the density it was drawn with: per m2 of
@@ -116,7 +117,8 @@ public:
 
     /// Where a ray that leaves `from` along `w` starts, clear of the opening's own body and of
     /// anything the opening lies on. Shadow rays end there too.
-    [[nodiscard]] Point3 departure(const EmissionPoint& from, const Vector3& w) const noexcept;
+    [[nodiscard]] Point3 departure(const EmissionPoint& from,
+                                   const UnitVector3& w) const noexcept;
 
     [[nodiscard]] Rgb colour(std::size_t luminaire) const noexcept;
 
@@ -132,6 +134,13 @@ public:
     }
 
 private:
+    /// Of the luminaire's type, cd.
+    [[nodiscard]] double intensity(std::size_t luminaire, const UnitVector3& w) const noexcept;
+
+    /// What `evaluate` makes of it.
+    [[nodiscard]] double per_area(const EmissionPoint& from,
+                                  const UnitVector3& w,
+                                  double candela) const noexcept;
     [[nodiscard]] EmissionPoint place_on_solid(std::size_t luminaire,
                                                const UnitVector3& w,
                                                double u,

@@ -24,9 +24,8 @@ double first_density(const Emission& emission,
     const double towards = emission.pdf_towards(vertex, start.from);
     if (!(towards > 0.0))
         return 0.0;
-    const double emitted =
-        emission.evaluate(start.from, start.direction) / emission.total_flux();
-    return emitted / towards * cos_vertex / (distance * distance);
+    return start.strength * cos_vertex
+           / (emission.total_flux() * towards * distance * distance);
 }
 
 /// A path goes on as so many at a vertex, at most.
@@ -60,6 +59,7 @@ struct Flight {
 /// Where a flight met a surface and what that does.
 struct Meeting {
     Point3 position;
+    Point3 clear; ///< moved off the surface, to the side the flight came from
     UnitVector3 normal;
     SurfaceEvent event;
     double diffuse = 0.0;      ///< share of what the flight carries
@@ -96,18 +96,24 @@ private:
 
     /// Luminaire, place and direction. The flux is that of all luminaires.
     void start(std::uint64_t path) {
-        start_ = emission_.sample_emission(random_(path, D::luminaire),
-                                           random_(path, D::place),
-                                           random_(path, D::place + 1),
-                                           random_(path, D::direction),
-                                           random_(path, D::direction + 1));
+        draws_ = random_.draws(path);
+        start_ = emission_.sample_emission(draws_(D::luminaire),
+                                           draws_(D::place),
+                                           draws_(D::place + 1),
+                                           draws_(D::direction),
+                                           draws_(D::direction + 1));
         Flight f;
+        path_ = path;
         f.number = path;
         f.alpha = emission_.total_flux() * emission_.colour(start_.from.luminaire);
         f.w = start_.direction;
         f.origin = emission_.departure(start_.from, f.w);
         alpha_1_ = luminance_sum(f.alpha);
         waiting_.push_back(f);
+    }
+
+    [[nodiscard]] double random(const Flight& f, std::uint32_t dimension) const noexcept {
+        return f.number == path_ ? draws_(dimension) : random_(f.number, dimension);
     }
 
     /// To the next surface and off it. @return whether the flight goes on
@@ -122,7 +128,10 @@ private:
         f.edge += hit->distance;
         const SceneTriangle& triangle = scene_.triangle(hit->triangle);
         const double cos_in = std::max(0.0, -dot(hit->normal, f.w));
-        Meeting m{hit->position, hit->normal, {}};
+        Meeting m{hit->position,
+                  scene_.caster.offset_point(hit->position, hit->normal),
+                  hit->normal,
+                  {}};
         m.event = evaluate_surface(scene_.material(triangle.material), hit->is_front, cos_in);
         m.diffuse = luminance_sum(f.alpha * m.event.diffuse) / carried;
         m.albedo = m.diffuse + m.event.mirror + m.event.straight;
@@ -159,7 +168,7 @@ private:
     /// Only the diffuse part connects.
     void keep_vertex(const Flight& f, const Meeting& m, double cos_in, MaterialId material) {
         PathVertex v;
-        v.position = scene_.caster.offset_point(m.position, m.normal);
+        v.position = m.clear;
         v.normal = m.normal;
         v.radiant = (1.0 / pi) * (f.alpha * m.event.diffuse);
         v.continuation = m.continuation;
@@ -185,7 +194,7 @@ private:
         const std::size_t vertex = vertices_.size() - 1;
         const double whole = std::floor(m.going_on);
         const double rest = m.going_on - whole;
-        double pick = random_(f.number, D::first_bounce + 3 * f.bounce + D::event);
+        double pick = random(f, D::first_bounce + 3 * f.bounce + D::event);
         const bool one_more = pick < rest;
         const auto flights = static_cast<std::uint32_t>(whole) + (one_more ? 1U : 0U);
         if (flights == 0)
@@ -196,7 +205,7 @@ private:
             branch.number = (f.number & ((1ULL << branch_bits) - 1U))
                             | std::uint64_t{++branches_} << branch_bits;
             const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::event;
-            leave(branch, m, m.albedo * random_(branch.number, d), vertex);
+            leave(branch, m, m.albedo * random(branch, d), vertex);
             waiting_.push_back(branch);
         }
         leave(f, m, pick, vertex);
@@ -210,9 +219,9 @@ private:
         ++f.bounce;
         if (pick < m.diffuse) {
             const Vector3 local =
-                sample_cosine_hemisphere(random_(f.number, d), random_(f.number, d + 1));
+                sample_cosine_hemisphere(random(f, d), random(f, d + 1));
             f.w = UnitVector3::from_unit(make_basis(m.normal).to_world(local));
-            f.origin = scene_.caster.offset_point(m.position, m.normal);
+            f.origin = m.clear;
             f.alpha = (boost / m.diffuse) * (f.alpha * m.event.diffuse);
             f.continuation = m.continuation;
             f.cos_departure = local.z;
@@ -225,7 +234,7 @@ private:
             f.last = vertex;
         } else if (pick < m.diffuse + m.event.mirror) {
             f.w = reflect(f.w, m.normal);
-            f.origin = scene_.caster.offset_point(m.position, m.normal);
+            f.origin = m.clear;
             f.alpha = boost * f.alpha;
             f.behind_mirror = true;
             ++f.order;
@@ -243,6 +252,8 @@ private:
     std::vector<PathVertex>& vertices_;
     const PathImportance& importance_;
     const Roulette& roulette_;
+    PathRandomness::Draws draws_; ///< of the path itself; branches draw from random_
+    std::uint64_t path_ = 0;
     EmissionSample start_;
     double alpha_1_ = 0.0;
     std::vector<Flight>& waiting_;

@@ -37,27 +37,28 @@ double largest_in_cell(const LightBounds& b, std::size_t i) {
                              b.largest.begin() + band(cosine) + 1);
 }
 
+/// The first `count` and as many more as make it a multiple of `wide`.
 ISOLUX_WIDE_VECTORS void weigh_all(const LuminairePick::Lights& lights,
                                    std::size_t count,
                                    float x,
                                    float y,
                                    float z,
-                                   LuminairePick::Lanes& weights) noexcept {
+                                   float* __restrict weights) noexcept {
     constexpr float half = 0.5F * static_cast<float>(LuminairePick::cells);
     const float* const glow = lights.glow.data();
-    for (std::size_t block = 0; block < count; block += wide)
-        for (std::size_t i = block; i < block + wide; ++i) {
-            const float dx = x - lights.x[i];
-            const float dy = y - lights.y[i];
-            const float dz = z - lights.z[i];
-            const float d2 = dx * dx + dy * dy + dz * dz;
-            const float along =
-                lights.axis_x[i] * dx + lights.axis_y[i] * dy + lights.axis_z[i] * dz;
-            const float cosine = along / std::sqrt(d2 + 1e-30F);
-            const float cell = std::clamp(half * (cosine + 1.0F), 0.0F, 2.0F * half - 1.0F);
-            const int at = static_cast<int>(LuminairePick::cells * i) + static_cast<int>(cell);
-            weights[i] = glow[at] / (d2 + lights.spread[i]);
-        }
+    const auto all = static_cast<int>((count + wide - 1) / wide * wide);
+    for (int i = 0; i < all; ++i) {
+        const float dx = x - lights.x[i];
+        const float dy = y - lights.y[i];
+        const float dz = z - lights.z[i];
+        const float d2 = dx * dx + dy * dy + dz * dz;
+        const float along =
+            lights.axis_x[i] * dx + lights.axis_y[i] * dy + lights.axis_z[i] * dz;
+        const float place = half + half * along / std::sqrt(d2 + 1e-30F);
+        const float cell = std::min(std::max(place, 0.0F), 2.0F * half - 1.0F);
+        const int at = static_cast<int>(LuminairePick::cells) * i + static_cast<int>(cell);
+        weights[i] = glow[at] / (d2 + lights.spread[i]);
+    }
 }
 
 } // namespace
@@ -95,7 +96,7 @@ LuminairePick::Weights LuminairePick::weigh(const Point3& place) const noexcept 
               static_cast<float>(p.x),
               static_cast<float>(p.y),
               static_cast<float>(p.z),
-              w.of);
+              w.of.data());
     std::array<double, 4> sums{};
     for (std::size_t i = 0; i < count_; i += wide)
         for (std::size_t k = 0; k < wide; ++k)

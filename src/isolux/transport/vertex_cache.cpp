@@ -158,6 +158,10 @@ VertexCache build_vertex_cache(const Scene& scene,
             tallies[t].rays += f.rays;
         }
     });
+    std::size_t vertices = 0;
+    for (const std::vector<PathVertex>& slot : slots)
+        vertices += slot.size();
+    cache.vertices.reserve(vertices);
     for (std::size_t t = 0; t < tasks; ++t) {
         cache.vertices.insert(cache.vertices.end(), slots[t].begin(), slots[t].end());
         cache.flux.absorbed += tallies[t].absorbed;
