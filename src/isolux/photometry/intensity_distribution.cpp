@@ -96,7 +96,7 @@ double IntensityDistribution::interpolate(double azimuth, double polar) const no
         return at_gamma(0);
 
     double along_planes = azimuth - plane_axis_.first;
-    along_planes -= two_pi * std::floor(along_planes / two_pi);
+    along_planes -= two_pi * std::floor(along_planes * (1.0 / two_pi));
     if (along_planes > plane_axis_.span) {
         if (is_full_circle_ || along_planes <= plane_axis_.span + same_angle)
             along_planes = plane_axis_.span;

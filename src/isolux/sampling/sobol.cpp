@@ -115,16 +115,6 @@ constexpr std::uint64_t mix(std::uint64_t z) noexcept {
 /// of 32 bits each that are independent. That makes every point uniform, and every pair of
 /// points uniform over the pairs with as many common digits, as in a full Owen scramble; on
 /// these the variance of an integral depends, and on nothing else.
-struct Scramble {
-    std::uint32_t shift;
-    std::uint32_t factor;
-};
-
-constexpr Scramble words_of(std::uint32_t scramble) noexcept {
-    const std::uint64_t seed = mix(scramble + 0x9e3779b97f4a7c15U);
-    return {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U) | 1U};
-}
-
 ISOLUX_INLINE constexpr std::uint32_t
 hash_upwards(std::uint32_t x, std::uint32_t shift, std::uint32_t factor) noexcept {
     x ^= x * 0x3d20adeaU;
@@ -137,7 +127,8 @@ hash_upwards(std::uint32_t x, std::uint32_t shift, std::uint32_t factor) noexcep
 
 ISOLUX_WIDE_VECTORS void
 scrambled_words(std::uint32_t index, const Words& shift, const Words& factor, Words& x) noexcept {
-    for (unsigned place = 0; index != 0; ++place, index >>= digit_bits) {
+    x = table[0][index % digits];
+    for (unsigned place = 1; (index >>= digit_bits) != 0; ++place) {
         const Words& row = table[place][index % digits];
         for (std::size_t d = 0; d < x.size(); ++d)
             x[d] ^= row[d];
@@ -153,12 +144,22 @@ double sobol(std::uint32_t index, std::uint32_t dimension) noexcept {
     return 0x1.0p-32 * reverse_bits(reversed_sobol(index, dimension));
 }
 
+SobolScramble prepare_scramble(std::uint32_t scramble) noexcept {
+    const std::uint64_t words = mix(scramble + 0x9e3779b97f4a7c15U);
+    return {static_cast<std::uint32_t>(words), static_cast<std::uint32_t>(words >> 32U) | 1U};
+}
+
+double
+sobol_owen(std::uint32_t index, std::uint32_t dimension, SobolScramble scramble) noexcept {
+    ISOLUX_EXPECT(dimension < sobol_dimensions);
+    return 0x1.0p-32
+           * reverse_bits(hash_upwards(
+               reversed_sobol(index, dimension), scramble.shift, scramble.factor));
+}
+
 double
 sobol_owen(std::uint32_t index, std::uint32_t dimension, std::uint32_t scramble) noexcept {
-    ISOLUX_EXPECT(dimension < sobol_dimensions);
-    const Scramble s = words_of(scramble);
-    return 0x1.0p-32
-           * reverse_bits(hash_upwards(reversed_sobol(index, dimension), s.shift, s.factor));
+    return sobol_owen(index, dimension, prepare_scramble(scramble));
 }
 
 std::uint32_t
@@ -169,14 +170,14 @@ make_scramble(std::uint64_t seed, std::uint32_t replicate, std::uint32_t dimensi
 
 ScrambledSobol::ScrambledSobol(std::uint64_t seed, std::uint32_t replicate) noexcept {
     for (std::uint32_t d = 0; d < sobol_dimensions; ++d) {
-        const Scramble s = words_of(make_scramble(seed, replicate, d));
+        const SobolScramble s = prepare_scramble(make_scramble(seed, replicate, d));
         shift_[d] = s.shift;
         factor_[d] = s.factor;
     }
 }
 
 ScrambledSobol::Words ScrambledSobol::words(std::uint32_t index) const noexcept {
-    Words x{};
+    Words x;
     scrambled_words(index, shift_, factor_, x);
     return x;
 }

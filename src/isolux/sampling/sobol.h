@@ -21,6 +21,18 @@ inline constexpr std::uint32_t sobol_dimensions = 20;
 [[nodiscard]] double
 sobol_owen(std::uint32_t index, std::uint32_t dimension, std::uint32_t scramble) noexcept;
 
+/// What a scramble comes to: METHODS eq. (44), s and f.
+struct SobolScramble {
+    std::uint32_t shift = 0;
+    std::uint32_t factor = 1; ///< odd
+};
+
+[[nodiscard]] SobolScramble prepare_scramble(std::uint32_t scramble) noexcept;
+
+/// The same for a scramble that is prepared once for many draws.
+[[nodiscard]] double
+sobol_owen(std::uint32_t index, std::uint32_t dimension, SobolScramble scramble) noexcept;
+
 /// A scramble seed for one dimension of one replicate.
 [[nodiscard]] std::uint32_t
 make_scramble(std::uint64_t seed, std::uint32_t replicate, std::uint32_t dimension) noexcept;

@@ -26,8 +26,8 @@ bool is_rectangular(const Facet& f) noexcept {
     const Vector3 a = f.vertices[1] - f.vertices[0];
     const Vector3 b = f.vertices[3] - f.vertices[0];
     const Vector3 closing = (f.vertices[2] - f.vertices[0]) - (a + b);
-    const double scale = length(a) + length(b);
-    return std::abs(dot(a, b)) < 1e-9 * scale * scale && length(closing) < 1e-9 * scale;
+    const double scale = length_squared(a) + length_squared(b);
+    return std::abs(dot(a, b)) < 1e-9 * scale && length_squared(closing) < 1e-18 * scale;
 }
 
 /// Area that all facets together show towards w.
@@ -171,12 +171,12 @@ OpeningView::OpeningView(const Luminaire& of,
         return;
     if (!is_rectangular(facet))
         return;
-    const SphericalRectangle rectangle(facet.vertices[0],
-                                       facet.vertices[1] - facet.vertices[0],
-                                       facet.vertices[3] - facet.vertices[0],
-                                       place);
-    if (rectangle.solid_angle() > large_solid_angle)
-        rectangle_ = rectangle;
+    rectangle_.emplace(facet.vertices[0],
+                       facet.vertices[1] - facet.vertices[0],
+                       facet.vertices[3] - facet.vertices[0],
+                       place);
+    if (rectangle_->solid_angle() <= large_solid_angle)
+        rectangle_.reset();
 }
 
 EmissionPoint OpeningView::sample(double u, double v) const noexcept {

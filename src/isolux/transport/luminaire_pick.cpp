@@ -13,9 +13,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Luminaires are weighed by so many.
-constexpr std::size_t wide = 8;
-
 /// Share of its mean intensity that a luminaire is picked with in every direction: whatever the
 /// size of its opening, no light is left out.
 constexpr double least_share = 0.1;
@@ -37,17 +34,16 @@ double largest_in_cell(const LightBounds& b, std::size_t i) {
                              b.largest.begin() + band(cosine) + 1);
 }
 
-/// The first `count` and as many more as make it a multiple of `wide`.
+/// The first `count`, a multiple of `wide`.
 ISOLUX_WIDE_VECTORS void weigh_all(const LuminairePick::Lights& lights,
-                                   std::size_t count,
+                                   int count,
                                    float x,
                                    float y,
                                    float z,
                                    float* __restrict weights) noexcept {
     constexpr float half = 0.5F * static_cast<float>(LuminairePick::cells);
     const float* const glow = lights.glow.data();
-    const auto all = static_cast<int>((count + wide - 1) / wide * wide);
-    for (int i = 0; i < all; ++i) {
+    for (int i = 0; i < count; ++i) {
         const float dx = x - lights.x[i];
         const float dy = y - lights.y[i];
         const float dz = z - lights.z[i];
@@ -67,9 +63,10 @@ void LuminairePick::add(const LightBounds& bounds,
                         const Point3& centre,
                         double largest_dimension) {
     ISOLUX_EXPECT(count_ < most);
-    if (count_ % wide == 0) { // others may take the places or none: then they weigh nothing
-        lights_.glow.resize(cells * (count_ + wide), 0.0F);
-        std::fill_n(lights_.spread.begin() + static_cast<std::ptrdiff_t>(count_), wide, 1.0F);
+    if (count_ == wide * blocks_) { // places without a luminaire weigh nothing
+        const auto next = static_cast<std::ptrdiff_t>(count_);
+        std::fill_n(lights_.spread.begin() + next, wide, 1.0F);
+        lights_.glow.resize(cells * wide * ++blocks_, 0.0F);
     }
     if (count_ == 0)
         first_ = centre;
@@ -92,24 +89,29 @@ LuminairePick::Weights LuminairePick::weigh(const Point3& place) const noexcept 
     Weights w;
     const Vector3 p = place - first_;
     weigh_all(lights_,
-              count_,
+              static_cast<int>(wide * blocks_),
               static_cast<float>(p.x),
               static_cast<float>(p.y),
               static_cast<float>(p.z),
               w.of.data());
-    std::array<double, 4> sums{};
-    for (std::size_t i = 0; i < count_; i += wide)
+    for (std::size_t b = 0; b < blocks_; ++b) {
+        std::array<double, 4> sums{};
         for (std::size_t k = 0; k < wide; ++k)
-            sums[k % 4] += static_cast<double>(w.of[i + k]);
-    w.sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+            sums[k % 4] += static_cast<double>(w.of[wide * b + k]);
+        w.of_block[b] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+        w.sum += w.of_block[b];
+    }
     return w;
 }
 
 LightTree::Pick LuminairePick::pick(const Point3& place, double u) const noexcept {
     const Weights w = weigh(place);
     double rest = u * w.sum;
-    std::size_t chosen = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
+    std::size_t block = 0;
+    while (block + 1 < blocks_ && rest >= w.of_block[block])
+        rest -= w.of_block[block++];
+    std::size_t chosen = wide * block;
+    for (std::size_t i = chosen; i < wide * (block + 1); ++i) {
         const auto weight = static_cast<double>(w.of[i]);
         if (weight <= 0.0)
             continue;

@@ -16,6 +16,9 @@ class LuminairePick {
 public:
     static constexpr std::size_t most = 64;
 
+    /// So many are weighed at a time.
+    static constexpr std::size_t wide = 8;
+
     /// @pre  called less than `most` times
     void add(const LightBounds& bounds, const Point3& centre, double largest_dimension);
 
@@ -40,12 +43,14 @@ public:
 private:
     struct Weights {
         Lanes of;
+        std::array<double, most / wide> of_block; ///< of `wide` each
         double sum = 0.0;
     };
 
     [[nodiscard]] Weights weigh(const Point3& place) const noexcept;
 
     std::size_t count_ = 0;
+    std::size_t blocks_ = 0;
     Point3 first_;
     Lights lights_;
 };

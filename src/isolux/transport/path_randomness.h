@@ -39,7 +39,7 @@ public:
         const RandomStream* tail_ = nullptr;
         std::uint64_t path_ = 0;
         std::uint32_t nets_ = 0; ///< so many dimensions are Sobol' points
-        ScrambledSobol::Words words_{};
+        ScrambledSobol::Words words_;
     };
 
     [[nodiscard]] Draws draws(std::uint64_t path) const noexcept {
