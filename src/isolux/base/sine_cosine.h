@@ -38,11 +38,11 @@ struct SineCosine {
                            + s4
                                  * (0.0001604411507421909 - 3.59864335298231e-06 * s
                                     + s2 * 5.633933781537854e-08));
-    const double cosine = (1.0 - 1.2337005501361697 * s
-                           + s2 * (0.2536695079010467 - 0.02086348076331121 * s))
-                          + s4
-                                * (0.0009192602741831558 - 2.520203677046026e-05 * s
-                                   + s2 * (4.710609726757823e-07 - 6.321256869628588e-09 * s));
+    const double cosine =
+        (1.0 - 1.2337005501361697 * s + s2 * (0.2536695079010467 - 0.02086348076331121 * s))
+        + s4
+              * (0.0009192602741831558 - 2.520203677046026e-05 * s
+                 + s2 * (4.710609726757823e-07 - 6.321256869628588e-09 * s));
     // A quarter turn on, the sine is the cosine and the cosine minus the sine; two turn both.
     const auto quarter = std::bit_cast<std::uint64_t>(rounded);
     const auto a = std::bit_cast<std::uint64_t>(sine);

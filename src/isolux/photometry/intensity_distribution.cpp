@@ -165,9 +165,8 @@ UnitVector3 IntensityDistribution::direction(const SineCosine& plane,
                                              const SineCosine& gamma) const noexcept {
     const double along = gamma.sine * plane.cosine;
     const double across = gamma.sine * plane.sine;
-    return pole_ == TablePole::nadir
-               ? UnitVector3::from_unit({along, across, -gamma.cosine})
-               : UnitVector3::from_unit({across, gamma.cosine, -along});
+    return pole_ == TablePole::nadir ? UnitVector3::from_unit({along, across, -gamma.cosine})
+                                     : UnitVector3::from_unit({across, gamma.cosine, -along});
 }
 
 } // namespace isolux

@@ -125,8 +125,10 @@ hash_upwards(std::uint32_t x, std::uint32_t shift, std::uint32_t factor) noexcep
     return x;
 }
 
-ISOLUX_WIDE_VECTORS void
-scrambled_words(std::uint32_t index, const Words& shift, const Words& factor, Words& x) noexcept {
+ISOLUX_WIDE_VECTORS void scrambled_words(std::uint32_t index,
+                                         const Words& shift,
+                                         const Words& factor,
+                                         Words& x) noexcept {
     x = table[0][index % digits];
     for (unsigned place = 1; (index >>= digit_bits) != 0; ++place) {
         const Words& row = table[place][index % digits];
@@ -153,8 +155,8 @@ double
 sobol_owen(std::uint32_t index, std::uint32_t dimension, SobolScramble scramble) noexcept {
     ISOLUX_EXPECT(dimension < sobol_dimensions);
     return 0x1.0p-32
-           * reverse_bits(hash_upwards(
-               reversed_sobol(index, dimension), scramble.shift, scramble.factor));
+           * reverse_bits(
+               hash_upwards(reversed_sobol(index, dimension), scramble.shift, scramble.factor));
 }
 
 double

@@ -136,8 +136,8 @@ SphericalRectangle::SphericalRectangle(const Point3& corner,
     constexpr double in_plane = 1e-12; // of the distance to the corner
     if (-z0_ <= in_plane * length(d))
         return;
-    // e^(i g) of the four inner angles, each times the lengths of its two planes' normals. Their
-    // product turns by g0 + g1 + g2 + g3 = Omega + 2 pi.
+    // e^(i g) of the four inner angles, each times the lengths of its two planes' normals.
+    // Their product turns by g0 + g1 + g2 + g3 = Omega + 2 pi.
     using Complex = std::complex<double>;
     const auto corner_at = [this](double x, double y) {
         return Complex(x * y, -z0_ * std::sqrt(x * x + y * y + z0_ * z0_));

@@ -135,8 +135,8 @@ EmissionSample Emission::sample_emission(double u_luminaire,
             const bool has_front = luminaire.opening.form == OpeningForm::flat;
             const UnitVector3 front =
                 has_front ? luminaire.opening.facets.front().normal : -frame.z;
-            w = UnitVector3(make_basis(front).to_world(
-                sample_cosine_hemisphere(u_direction, v_direction)));
+            w = UnitVector3(
+                make_basis(front).to_world(sample_cosine_hemisphere(u_direction, v_direction)));
         } else {
             w = sample_sphere(u_direction, v_direction);
         }

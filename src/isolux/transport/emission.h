@@ -138,9 +138,8 @@ private:
     [[nodiscard]] double intensity(std::size_t luminaire, const UnitVector3& w) const noexcept;
 
     /// What `evaluate` makes of it.
-    [[nodiscard]] double per_area(const EmissionPoint& from,
-                                  const UnitVector3& w,
-                                  double candela) const noexcept;
+    [[nodiscard]] double
+    per_area(const EmissionPoint& from, const UnitVector3& w, double candela) const noexcept;
     [[nodiscard]] EmissionPoint place_on_solid(std::size_t luminaire,
                                                const UnitVector3& w,
                                                double u,

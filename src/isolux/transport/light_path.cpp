@@ -181,7 +181,8 @@ private:
         if (f.behind_mirror)
             v.density = after_mirror;
         else if (f.is_first)
-            v.density = f.passed * first_density(emission_, start_, m.hit.position, cos_in, f.edge);
+            v.density =
+                f.passed * first_density(emission_, start_, m.hit.position, cos_in, f.edge);
         else
             v.density =
                 f.passed * f.continuation * (f.cos_departure / pi) * cos_in / (f.edge * f.edge);
@@ -217,8 +218,7 @@ private:
         const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::scatter;
         ++f.bounce;
         if (pick < m.diffuse) {
-            const Vector3 local =
-                sample_cosine_hemisphere(random(f, d), random(f, d + 1));
+            const Vector3 local = sample_cosine_hemisphere(random(f, d), random(f, d + 1));
             f.w = UnitVector3::from_unit(make_basis(m.hit.normal).to_world(local));
             f.origin = m.clear;
             f.alpha = (boost / m.diffuse) * (f.alpha * m.event.diffuse);

@@ -81,7 +81,8 @@ void LuminairePick::add(const LightBounds& bounds,
         static_cast<float>(0.25 * largest_dimension * largest_dimension + least_spread);
     const double least = least_share * bounds.flux / (4.0 * pi);
     for (std::size_t i = 0; i < cells; ++i)
-        lights_.glow[cells * count_ + i] = static_cast<float>(least + largest_in_cell(bounds, i));
+        lights_.glow[cells * count_ + i] =
+            static_cast<float>(least + largest_in_cell(bounds, i));
     ++count_;
 }
 

@@ -89,8 +89,7 @@ TableDraw TableSampler::draw(double u, double v) const noexcept {
     const double s = sample_linear(p0, p1, v);
     const auto planes = distribution_->planes();
     const Angle plane = planes[i] + s * (planes[i + 1] - planes[i]);
-    return {distribution_->direction(sine_cosine(plane), gamma.angle),
-            p0 + s * (p1 - p0)};
+    return {distribution_->direction(sine_cosine(plane), gamma.angle), p0 + s * (p1 - p0)};
 }
 
 } // namespace isolux

@@ -104,9 +104,6 @@ void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& count
         const std::size_t rows = (count + VertexBlock::columns - 1) / VertexBlock::columns;
         block.rows = static_cast<std::uint32_t>(rows);
         for (std::size_t i = 0; i < count; ++i) {
-            const auto* later = &cache.vertices[sorted[std::min(first + i + 16, n - 1)]];
-            __builtin_prefetch(later);
-            __builtin_prefetch(reinterpret_cast<const char*>(later) + 64);
             places[i] = VertexBlock::columns * (i % rows) + i / rows;
             cache.vertex_at[first + places[i]] = sorted[first + i];
             const std::size_t vertex = sorted[first + i];
@@ -155,7 +152,7 @@ VertexCache build_vertex_cache(const Scene& scene,
     const std::size_t tasks = (count + paths_per_task - 1) / paths_per_task;
     thread_local std::vector<std::vector<PathVertex>> kept;
     std::vector<std::vector<PathVertex>> slots = std::exchange(kept, {});
-    slots.resize(tasks);
+    slots.resize(std::max(slots.size(), tasks));
     std::vector<FluxTally> tallies(tasks);
     for_each_index(tasks, 1, [&](std::size_t t) {
         slots[t].clear();
@@ -170,8 +167,8 @@ VertexCache build_vertex_cache(const Scene& scene,
         }
     });
     std::size_t vertices = 0;
-    for (const std::vector<PathVertex>& slot : slots)
-        vertices += slot.size();
+    for (std::size_t t = 0; t < tasks; ++t)
+        vertices += slots[t].size();
     cache.vertices.reserve(vertices);
     for (std::size_t t = 0; t < tasks; ++t) {
         cache.vertices.insert(cache.vertices.end(), slots[t].begin(), slots[t].end());
@@ -179,7 +176,7 @@ VertexCache build_vertex_cache(const Scene& scene,
         cache.flux.escaped += tallies[t].escaped;
         cache.flux.rays += tallies[t].rays;
     }
-    slots.resize(std::min(tasks, most_kept));
+    slots.resize(std::min(slots.size(), most_kept));
     kept = std::move(slots);
     if (!importance.is_even() && !cache.empty())
         draw_picks(cache, emission.total_flux(), random(pick_path + first, 0));

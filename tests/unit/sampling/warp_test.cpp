@@ -261,8 +261,9 @@ TEST(SphericalRectangle, IsNearlyHalfASphereFromRightAboveIt) {
         for (const double x : {1e-4, 0.1, 0.5}) {
             const View w{{0, 0, 0}, {0, 1, 0}, {2, 0, 0}, {x, 0.3, height}};
             const SphericalRectangle r(w.corner, w.edge_u, w.edge_v, w.eye);
-            EXPECT_NEAR(
-                r.solid_angle(), solid_angle(outline(w), w.eye), std::max(1e-13, 1e-15 / height));
+            EXPECT_NEAR(r.solid_angle(),
+                        solid_angle(outline(w), w.eye),
+                        std::max(1e-13, 1e-15 / height));
         }
 }
 
