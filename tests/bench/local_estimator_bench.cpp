@@ -5,6 +5,7 @@
 #include "isolux/transport/direct_light.h"
 #include "isolux/transport/gather.h"
 #include "isolux/transport/local_estimator.h"
+#include "isolux/transport/next_event.h"
 #include "isolux/transport/path_tracer.h"
 
 #include "support/test_scene.h"
@@ -155,6 +156,23 @@ void light_path(benchmark::State& state) {
 }
 
 BENCHMARK(light_path);
+
+/// One sample of the luminaires for a place on a surface, without its ray.
+void next_event(benchmark::State& state) {
+    const PointRandomness random(1, StreamPurpose::gather, 0, 0);
+    std::uint32_t i = 0;
+    for (auto _ : state) {
+        const PathVertex& at = cache().vertices[i % cache().size()];
+        NumberSequence numbers(random, i++);
+        const double u_luminaire = numbers.next();
+        const double u = numbers.next();
+        const double v = numbers.next();
+        benchmark::DoNotOptimize(
+            sample_next_event(emission(), at.position, at.normal, u_luminaire, u, v));
+    }
+}
+
+BENCHMARK(next_event);
 
 } // namespace
 } // namespace isolux

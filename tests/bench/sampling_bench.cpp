@@ -51,6 +51,17 @@ void sobol_light_path(benchmark::State& state) {
 
 BENCHMARK(sobol_light_path)->Arg(0)->Arg(1 << 20);
 
+/// All dimensions of a point at once.
+void sobol_whole_points(benchmark::State& state) {
+    const ScrambledSobol sequence(1, 0);
+    auto index = static_cast<std::uint32_t>(state.range(0));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(sequence.words(index++));
+    state.SetItemsProcessed(sobol_dimensions * state.iterations());
+}
+
+BENCHMARK(sobol_whole_points)->Arg(0)->Arg(1 << 20);
+
 void spherical_rectangle(benchmark::State& state) {
     const RandomStream stream(1, StreamPurpose::direct, 0);
     const auto x = stream.uniform4(1, 0);

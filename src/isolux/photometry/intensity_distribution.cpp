@@ -7,6 +7,7 @@
 
 #include "isolux/base/arc_tangent.h"
 #include "isolux/base/check.h"
+#include "isolux/photometry/gamma_piece.h"
 
 namespace isolux {
 
@@ -20,19 +21,6 @@ constexpr double same_angle = 1e-9;
 [[maybe_unused]] bool ascend(std::span<const Angle> nodes) {
     return std::ranges::adjacent_find(nodes, [](Angle a, Angle b) { return !(a < b); })
            == nodes.end();
-}
-
-/// Integrals of sin(g) times the two hat functions over [lower, upper]: S0 and S1 of METHODS
-/// eq. (4), written about the middle of the interval so that nothing cancels in narrow ones.
-std::pair<double, double> hat_solid_angles(double lower, double upper) noexcept {
-    const double middle = 0.5 * (lower + upper);
-    const double h = 0.5 * (upper - lower);
-    // (sin h - h cos h) / h; its series below h = 0.02 is exact to 1e-16
-    const double odd =
-        h < 0.02 ? h * h * (1.0 / 3.0 - h * h / 30.0) : (std::sin(h) - h * std::cos(h)) / h;
-    const double even_part = std::sin(middle) * std::sin(h);
-    const double odd_part = std::cos(middle) * odd;
-    return {even_part - odd_part, even_part + odd_part};
 }
 
 } // namespace
@@ -108,7 +96,7 @@ double IntensityDistribution::interpolate(double azimuth, double polar) const no
         return at_gamma(0);
 
     double along_planes = azimuth - plane_axis_.first;
-    along_planes -= two_pi * std::floor(along_planes / two_pi);
+    along_planes -= two_pi * std::floor(along_planes * (1.0 / two_pi));
     if (along_planes > plane_axis_.span) {
         if (is_full_circle_ || along_planes <= plane_axis_.span + same_angle)
             along_planes = plane_axis_.span;
@@ -140,14 +128,14 @@ Candela IntensityDistribution::evaluate(Angle plane, Angle gamma) const noexcept
 Lumen IntensityDistribution::flux() const noexcept {
     double total = 0.0;
     for (std::size_t g = 0; g + 1 < gammas_.size(); ++g) {
-        const auto [s0, s1] =
-            hat_solid_angles(gammas_[g].in_radians(), gammas_[g + 1].in_radians());
+        const GammaPiece piece =
+            gamma_piece(sine_cosine(gammas_[g]), (gammas_[g + 1] - gammas_[g]).in_radians());
         double ring = 0.0;
         for (std::size_t p = 0; p + 1 < planes_.size(); ++p) {
             const double width = (planes_[p + 1] - planes_[p]).in_radians();
             const double lower = at(p, g).value() + at(p + 1, g).value();
             const double upper = at(p, g + 1).value() + at(p + 1, g + 1).value();
-            ring += 0.5 * width * (lower * s0 + upper * s1);
+            ring += 0.5 * width * (lower * piece.s0 + upper * piece.s1);
         }
         total += ring;
     }
@@ -170,12 +158,15 @@ Lumen IntensityDistribution::flux_trapezoid() const noexcept {
 }
 
 UnitVector3 IntensityDistribution::direction(Angle plane, Angle gamma) const noexcept {
-    const double s = std::sin(gamma.in_radians());
-    const double c = std::cos(gamma.in_radians());
-    const double along = s * std::cos(plane.in_radians());
-    const double across = s * std::sin(plane.in_radians());
-    return pole_ == TablePole::nadir ? UnitVector3::from_unit({along, across, -c})
-                                     : UnitVector3::from_unit({across, c, -along});
+    return direction(sine_cosine(plane), sine_cosine(gamma));
+}
+
+UnitVector3 IntensityDistribution::direction(const SineCosine& plane,
+                                             const SineCosine& gamma) const noexcept {
+    const double along = gamma.sine * plane.cosine;
+    const double across = gamma.sine * plane.sine;
+    return pole_ == TablePole::nadir ? UnitVector3::from_unit({along, across, -gamma.cosine})
+                                     : UnitVector3::from_unit({across, gamma.cosine, -along});
 }
 
 } // namespace isolux

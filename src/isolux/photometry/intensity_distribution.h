@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "isolux/base/angle.h"
+#include "isolux/base/sine_cosine.h"
 #include "isolux/base/units.h"
 #include "isolux/base/vec.h"
 
@@ -64,6 +65,8 @@ public:
 
     /// Direction in the luminaire's frame that belongs to the table's angles.
     [[nodiscard]] UnitVector3 direction(Angle plane, Angle gamma) const noexcept;
+    [[nodiscard]] UnitVector3 direction(const SineCosine& plane,
+                                        const SineCosine& gamma) const noexcept;
 
 private:
     /// How to find the interval an angle lies in: by division where the nodes are evenly

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "isolux/base/check.h"
+#include "isolux/base/wide_vectors.h"
 
 namespace isolux {
 
@@ -42,7 +43,7 @@ constexpr std::array<Recurrence, sobol_dimensions - 1> recurrences = {{
     {7, 131, {1, 3, 7, 11, 23, 15, 103}},
 }};
 
-constexpr std::uint32_t reverse_bits(std::uint32_t x) noexcept {
+ISOLUX_INLINE constexpr std::uint32_t reverse_bits(std::uint32_t x) noexcept {
     x = (x & 0x55555555U) << 1U | (x >> 1U & 0x55555555U);
     x = (x & 0x33333333U) << 2U | (x >> 2U & 0x33333333U);
     x = (x & 0x0f0f0f0fU) << 4U | (x >> 4U & 0x0f0f0f0fU);
@@ -72,31 +73,32 @@ constexpr std::array<std::uint32_t, 32> make_direction_numbers(std::uint32_t dim
 }
 
 /// Bits of the index are taken four at a time: one look-up gives the exclusive or of up to four
-/// direction numbers. They are stored with their bits reversed, as the scramble wants them. 10
-/// KiB in all.
+/// direction numbers, of all dimensions side by side. They are stored with their bits reversed,
+/// as the scramble wants them. 12 KiB in all.
 constexpr unsigned digit_bits = 4;
-using DigitTable = std::array<std::array<std::uint32_t, 1U << digit_bits>, 32 / digit_bits>;
+constexpr unsigned digits = 1U << digit_bits;
+using Words = ScrambledSobol::Words;
+using DigitTable = std::array<std::array<Words, digits>, 32 / digit_bits>;
 
-constexpr std::array<DigitTable, sobol_dimensions> make_tables() {
-    std::array<DigitTable, sobol_dimensions> tables{};
+constexpr DigitTable make_table() {
+    DigitTable table{};
     for (std::uint32_t d = 0; d < sobol_dimensions; ++d) {
         const std::array<std::uint32_t, 32> v = make_direction_numbers(d);
-        for (unsigned place = 0; place < tables[d].size(); ++place)
-            for (unsigned digit = 0; digit < tables[d][place].size(); ++digit)
+        for (unsigned place = 0; place < table.size(); ++place)
+            for (unsigned digit = 0; digit < digits; ++digit)
                 for (unsigned bit = 0; bit < digit_bits; ++bit)
                     if ((digit >> bit & 1U) != 0)
-                        tables[d][place][digit] ^= reverse_bits(v[place * digit_bits + bit]);
+                        table[place][digit][d] ^= reverse_bits(v[place * digit_bits + bit]);
     }
-    return tables;
+    return table;
 }
 
-constexpr std::array<DigitTable, sobol_dimensions> tables = make_tables();
+constexpr DigitTable table = make_table();
 
 std::uint32_t reversed_sobol(std::uint32_t index, std::uint32_t dimension) noexcept {
-    const DigitTable& table = tables[dimension];
     std::uint32_t x = 0;
     for (unsigned place = 0; index != 0; ++place, index >>= digit_bits)
-        x ^= table[place][index & ((1U << digit_bits) - 1U)];
+        x ^= table[place][index % digits][dimension];
     return x;
 }
 
@@ -113,14 +115,28 @@ constexpr std::uint64_t mix(std::uint64_t z) noexcept {
 /// of 32 bits each that are independent. That makes every point uniform, and every pair of
 /// points uniform over the pairs with as many common digits, as in a full Owen scramble; on
 /// these the variance of an integral depends, and on nothing else.
-constexpr std::uint32_t hash_upwards(std::uint32_t x, std::uint32_t scramble) noexcept {
-    const std::uint64_t seed = mix(scramble + 0x9e3779b97f4a7c15U);
+ISOLUX_INLINE constexpr std::uint32_t
+hash_upwards(std::uint32_t x, std::uint32_t shift, std::uint32_t factor) noexcept {
     x ^= x * 0x3d20adeaU;
-    x += static_cast<std::uint32_t>(seed);
-    x *= static_cast<std::uint32_t>(seed >> 32U) | 1U;
+    x += shift;
+    x *= factor;
     x ^= x * 0x05526c56U;
     x ^= x * 0x53a22864U;
     return x;
+}
+
+ISOLUX_WIDE_VECTORS void scrambled_words(std::uint32_t index,
+                                         const Words& shift,
+                                         const Words& factor,
+                                         Words& x) noexcept {
+    x = table[0][index % digits];
+    for (unsigned place = 1; (index >>= digit_bits) != 0; ++place) {
+        const Words& row = table[place][index % digits];
+        for (std::size_t d = 0; d < x.size(); ++d)
+            x[d] ^= row[d];
+    }
+    for (std::size_t d = 0; d < x.size(); ++d)
+        x[d] = reverse_bits(hash_upwards(x[d], shift[d], factor[d]));
 }
 
 } // namespace
@@ -130,16 +146,42 @@ double sobol(std::uint32_t index, std::uint32_t dimension) noexcept {
     return 0x1.0p-32 * reverse_bits(reversed_sobol(index, dimension));
 }
 
+SobolScramble prepare_scramble(std::uint32_t scramble) noexcept {
+    const std::uint64_t words = mix(scramble + 0x9e3779b97f4a7c15U);
+    return {static_cast<std::uint32_t>(words), static_cast<std::uint32_t>(words >> 32U) | 1U};
+}
+
+double
+sobol_owen(std::uint32_t index, std::uint32_t dimension, SobolScramble scramble) noexcept {
+    ISOLUX_EXPECT(dimension < sobol_dimensions);
+    return 0x1.0p-32
+           * reverse_bits(
+               hash_upwards(reversed_sobol(index, dimension), scramble.shift, scramble.factor));
+}
+
 double
 sobol_owen(std::uint32_t index, std::uint32_t dimension, std::uint32_t scramble) noexcept {
-    ISOLUX_EXPECT(dimension < sobol_dimensions);
-    return 0x1.0p-32 * reverse_bits(hash_upwards(reversed_sobol(index, dimension), scramble));
+    return sobol_owen(index, dimension, prepare_scramble(scramble));
 }
 
 std::uint32_t
 make_scramble(std::uint64_t seed, std::uint32_t replicate, std::uint32_t dimension) noexcept {
     const std::uint64_t place = std::uint64_t{replicate} << 32U | dimension;
     return static_cast<std::uint32_t>(mix(mix(seed + 0x9e3779b97f4a7c15U) ^ place) >> 32U);
+}
+
+ScrambledSobol::ScrambledSobol(std::uint64_t seed, std::uint32_t replicate) noexcept {
+    for (std::uint32_t d = 0; d < sobol_dimensions; ++d) {
+        const SobolScramble s = prepare_scramble(make_scramble(seed, replicate, d));
+        shift_[d] = s.shift;
+        factor_[d] = s.factor;
+    }
+}
+
+ScrambledSobol::Words ScrambledSobol::words(std::uint32_t index) const noexcept {
+    Words x;
+    scrambled_words(index, shift_, factor_, x);
+    return x;
 }
 
 } // namespace isolux

@@ -1,11 +1,16 @@
 #include "isolux/sampling/warp.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
+#include "isolux/base/arc_tangent.h"
 #include "isolux/base/check.h"
+#include "isolux/base/sine_cosine.h"
 
 namespace isolux {
 
@@ -19,8 +24,9 @@ constexpr double largest_below_one = 0x1.fffffffffffffp-1;
 bool is_parallelogram(std::span<const Point3> p) noexcept {
     constexpr double rounding = 1e-12;
     return p.size() == 4
-           && length((p[1] - p[0]) - (p[2] - p[3]))
-                  <= rounding * (length(p[1] - p[0]) + length(p[3] - p[0]));
+           && length_squared((p[1] - p[0]) - (p[2] - p[3]))
+                  <= rounding * rounding
+                         * (length_squared(p[1] - p[0]) + length_squared(p[3] - p[0]));
 }
 
 Point3 sample_triangle(
@@ -51,12 +57,29 @@ double unit_sine(double cosine) noexcept {
     return std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine)));
 }
 
+/// Draws from a running sum, knowing that the entry is in [first, last).
+DiscreteSample sample_between(std::span<const double> cumulative,
+                              std::size_t first,
+                              std::size_t last,
+                              double u) noexcept {
+    ISOLUX_EXPECT(!cumulative.empty() && cumulative.back() > 0.0);
+    // u < 1, so the target is below the total unless rounding lifts it there.
+    const double total = cumulative.back();
+    const double target = std::min(u * total, total * largest_below_one);
+    const auto found =
+        std::upper_bound(cumulative.data() + first, cumulative.data() + last, target);
+    const auto index = static_cast<std::size_t>(found - cumulative.data());
+    const double below = index > 0 ? cumulative[index - 1] : 0.0;
+    const double stretched = (target - below) / (cumulative[index] - below);
+    return {index, std::clamp(stretched, 0.0, largest_below_one)};
+}
+
 } // namespace
 
 Vector3 sample_cosine_hemisphere(double u, double v) noexcept {
     const double radius = std::sqrt(u);
-    const double phi = 2.0 * pi * v;
-    return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(1.0 - u)};
+    const SineCosine azimuth = sine_cosine(v);
+    return {radius * azimuth.cosine, radius * azimuth.sine, std::sqrt(1.0 - u)};
 }
 
 double pdf_cosine_hemisphere(double cos_theta) noexcept {
@@ -66,8 +89,8 @@ double pdf_cosine_hemisphere(double cos_theta) noexcept {
 UnitVector3 sample_sphere(double u, double v) noexcept {
     const double z = 1.0 - 2.0 * u;
     const double radius = unit_sine(z);
-    const double phi = 2.0 * pi * v;
-    return UnitVector3::from_unit({radius * std::cos(phi), radius * std::sin(phi), z});
+    const SineCosine azimuth = sine_cosine(v);
+    return UnitVector3::from_unit({radius * azimuth.cosine, radius * azimuth.sine, z});
 }
 
 Point3 sample_polygon(std::span<const Point3> vertices, double u, double v) noexcept {
@@ -113,31 +136,37 @@ SphericalRectangle::SphericalRectangle(const Point3& corner,
     constexpr double in_plane = 1e-12; // of the distance to the corner
     if (-z0_ <= in_plane * length(d))
         return;
-    // Unit normals of the four planes through eye and edge: (0, y, z) for the sides along x,
-    // (x, 0, z) for those along y.
-    const auto root = [](double a, double b, double c) { // metres: nothing overflows
-        return std::sqrt(a * a + b * b + c * c);
+    // e^(i g) of the four inner angles, each times the lengths of its two planes' normals.
+    // Their product turns by g0 + g1 + g2 + g3 = Omega + 2 pi.
+    using Complex = std::complex<double>;
+    const auto corner_at = [this](double x, double y) {
+        return Complex(x * y, -z0_ * std::sqrt(x * x + y * y + z0_ * z0_));
     };
-    const double r0 = root(z0_, y0_, 0.0);
-    const double r1 = root(z0_, x1_, 0.0);
-    const double r2 = root(z0_, y1_, 0.0);
-    const double r3 = root(z0_, x0_, 0.0);
-    const auto angle = [&](double ny, double nz, double mx, double mz) {
-        return std::atan2(root(ny * mz, nz * mx, ny * mx), -nz * mz);
+    const auto times = [](Complex a, Complex b) {
+        return Complex(a.real() * b.real() - a.imag() * b.imag(),
+                       a.real() * b.imag() + a.imag() * b.real());
     };
-    const double g0 = angle(z0_ / r0, -y0_ / r0, -z0_ / r1, x1_ / r1);
-    const double g1 = angle(-z0_ / r2, y1_ / r2, -z0_ / r1, x1_ / r1);
-    const double g2 = angle(-z0_ / r2, y1_ / r2, z0_ / r3, -x0_ / r3);
-    const double g3 = angle(z0_ / r0, -y0_ / r0, z0_ / r3, -x0_ / r3);
+    const Complex near_side = times(corner_at(x1_, y0_), corner_at(-x1_, y1_)); // g0 + g1
+    const Complex far_side = times(corner_at(x0_, y1_), corner_at(-x0_, y0_));  // g2 + g3
+    const Complex all = times(near_side, far_side);
+    const double turned = arc_tangent(all.imag(), all.real());
+    // More than pi only from right above it, nearer than it is wide.
+    const bool is_above = std::max(x0_, y0_) < 0.0 && std::min(x1_, y1_) > 0.0 && -z0_ < width;
+    omega_ = std::max(0.0, turned < 0.0 && is_above ? turned + 2.0 * pi : turned);
+    const double r0 = std::sqrt(z0_ * z0_ + y0_ * y0_);
+    const double r1 = std::sqrt(z0_ * z0_ + y1_ * y1_);
     b0_ = -y0_ / r0;
-    b1_ = y1_ / r2;
-    k_ = 2.0 * pi - g2 - g3;
-    omega_ = std::max(0.0, g0 + g1 - k_);
+    b1_ = y1_ / r1;
+    const double scale = 1.0 / (r0 * r1 * (z0_ * z0_ + x0_ * x0_));
+    cos_k_ = scale * far_side.real();
+    sin_k_ = -scale * far_side.imag();
 }
 
 Point3 SphericalRectangle::sample(double u, double v) const noexcept {
-    const double a = u * omega_ + k_;
-    const double fu = (std::cos(a) * b0_ - b1_) / std::sin(a);
+    const SineCosine part = sine_cosine(u * omega_ / (2.0 * pi));
+    const double cos_a = part.cosine * cos_k_ - part.sine * sin_k_;
+    const double sin_a = part.sine * cos_k_ + part.cosine * sin_k_;
+    const double fu = (cos_a * b0_ - b1_) / sin_a;
     const double cu =
         std::clamp(std::copysign(1.0, fu) / std::sqrt(fu * fu + b0_ * b0_), -1.0, 1.0);
     const double x = std::clamp(-cu * z0_ / std::max(unit_sine(cu), 1e-15), x0_, x1_);
@@ -191,15 +220,20 @@ double solid_angle(std::span<const Point3> vertices, const Point3& seen_from) no
 }
 
 DiscreteSample sample_cumulative(std::span<const double> cumulative, double u) noexcept {
-    ISOLUX_EXPECT(!cumulative.empty() && cumulative.back() > 0.0);
-    // u < 1, so the target is below the total unless rounding lifts it there.
-    const double total = cumulative.back();
-    const double target = std::min(u * total, total * largest_below_one);
-    const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), target);
-    const auto index = static_cast<std::size_t>(found - cumulative.begin());
-    const double below = index > 0 ? cumulative[index - 1] : 0.0;
-    const double stretched = (target - below) / (cumulative[index] - below);
-    return {index, std::clamp(stretched, 0.0, largest_below_one)};
+    return sample_between(cumulative, 0, cumulative.size(), u);
+}
+
+CumulativeTable::CumulativeTable(std::vector<double> sums) : sums_(std::move(sums)) {
+    const std::size_t steps = std::bit_ceil(sums_.size());
+    for (std::size_t k = 0; k <= steps; ++k)
+        start_.push_back(static_cast<std::uint32_t>(
+            sample_cumulative(sums_, static_cast<double>(k) / static_cast<double>(steps))
+                .index));
+}
+
+DiscreteSample CumulativeTable::sample(double u) const noexcept {
+    const auto k = static_cast<std::size_t>(u * static_cast<double>(start_.size() - 1));
+    return sample_between(sums_, start_[k], start_[k + 1] + std::size_t{1}, u);
 }
 
 } // namespace isolux

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,7 +42,7 @@ private:
     Point3 origin_;
     Vector3 ex_, ey_, ez_;
     double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0, z0_ = 0;
-    double b0_ = 0, b1_ = 0, k_ = 0, omega_ = 0;
+    double b0_ = 0, b1_ = 0, cos_k_ = 0, sin_k_ = 0, omega_ = 0;
 };
 
 /// Spherical triangle with unit vertices, uniform in solid angle (METHODS "Spherical
@@ -78,5 +79,20 @@ struct DiscreteSample {
 /// An entry of weight 0 is never drawn.
 [[nodiscard]] DiscreteSample sample_cumulative(std::span<const double> cumulative,
                                                double u) noexcept;
+
+/// A running sum that is drawn from often. It knows for as many even steps of u as it has
+/// entries (or more) where the search begins and ends; the draws are those of
+/// sample_cumulative.
+class CumulativeTable {
+public:
+    CumulativeTable() = default;
+    explicit CumulativeTable(std::vector<double> sums);
+
+    [[nodiscard]] DiscreteSample sample(double u) const noexcept;
+
+private:
+    std::vector<double> sums_;
+    std::vector<std::uint32_t> start_; ///< entry drawn by u = k/(size - 1)
+};
 
 } // namespace isolux

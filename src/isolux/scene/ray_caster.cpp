@@ -76,7 +76,21 @@ struct RayCaster::Implementation {
     [[nodiscard]] SurfaceHit make_hit(const Vector3& from,
                                       const Vector3& direction,
                                       const TracedHit& hit,
-                                      bool is_pane) const noexcept;
+                                      bool is_pane) const noexcept {
+        const Piece* piece = is_pane ? &panes[hit.triangle] : &opaque[hit.triangle];
+        Vector3 at = piece->at(hit.u, hit.v);
+        if (!is_pane) {
+            piece = &opaque[front_twin(hit.triangle, at, direction)];
+            at = at - dot(piece->normal, at - piece->a) * Vector3(piece->normal);
+        }
+        const bool is_front = dot(piece->normal, direction) <= 0.0;
+        return {piece->id,
+                dot(at - from, direction),
+                centre + at,
+                is_front ? piece->normal : -piece->normal,
+                is_front};
+    }
+
     [[nodiscard]] double
     dim(std::uint32_t pane, const Vector3& way, double distance) const noexcept;
     [[nodiscard]] double pass_panes(const Vector3& from, const Vector3& to) const noexcept;
@@ -101,24 +115,6 @@ RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triang
     opaque_scene = build(opaque);
     pane_scene = build(panes);
     pane_box = PaneBox(panes);
-}
-
-SurfaceHit RayCaster::Implementation::make_hit(const Vector3& from,
-                                               const Vector3& direction,
-                                               const TracedHit& hit,
-                                               bool is_pane) const noexcept {
-    const Piece* piece = is_pane ? &panes[hit.triangle] : &opaque[hit.triangle];
-    Vector3 at = piece->at(hit.u, hit.v);
-    if (!is_pane) {
-        piece = &opaque[front_twin(hit.triangle, at, direction)];
-        at = at - dot(piece->normal, at - piece->a) * Vector3(piece->normal);
-    }
-    const bool is_front = dot(piece->normal, direction) <= 0.0;
-    return {piece->id,
-            dot(at - from, direction),
-            centre + at,
-            is_front ? piece->normal : -piece->normal,
-            is_front};
 }
 
 /// Transmittance of a pane that a segment crosses.
@@ -239,9 +235,13 @@ void RayCaster::find_first_hits16(std::span<const SightLine> lines,
     }
 }
 
-Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
+Point3 RayCaster::offset_point(const Point3& p, const UnitVector3& free_side) const noexcept {
     const double step = Implementation::offset_at(p - implementation_->centre);
-    return p + step * Vector3(UnitVector3(free_side));
+    return p + step * Vector3(free_side);
+}
+
+Point3 RayCaster::offset_point(const Point3& p, const Vector3& free_side) const noexcept {
+    return offset_point(p, UnitVector3(free_side));
 }
 
 double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept {

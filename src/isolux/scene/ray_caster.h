@@ -68,6 +68,8 @@ public:
 
     /// `p` moved off its surface to the side of `free_side` by a length that float arithmetic
     /// cannot lose (METHODS, "Ray tracer"). Rays start from and end at such points.
+    [[nodiscard]] Point3 offset_point(const Point3& p,
+                                      const UnitVector3& free_side) const noexcept;
     [[nodiscard]] Point3 offset_point(const Point3& p, const Vector3& free_side) const noexcept;
 
     /// 0 if an opaque surface stands between the two points, else the product of the panes'

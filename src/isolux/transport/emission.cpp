@@ -1,9 +1,9 @@
 #include "isolux/transport/emission.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "isolux/sampling/warp.h"
 
@@ -12,13 +12,6 @@ namespace isolux {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-/// Up to this many luminaires every one is weighed for every place.
-constexpr std::size_t few_luminaires = 64;
-
-/// Share of its mean intensity that a luminaire is picked with in every direction: whatever the
-/// size of its opening, no light is left out.
-constexpr double least_share = 0.1;
 
 /// Solid angle above which a flat rectangle is also sampled in solid angle (METHODS, "Openings
 /// with a photometric table"), sr.
@@ -33,8 +26,8 @@ bool is_rectangular(const Facet& f) noexcept {
     const Vector3 a = f.vertices[1] - f.vertices[0];
     const Vector3 b = f.vertices[3] - f.vertices[0];
     const Vector3 closing = (f.vertices[2] - f.vertices[0]) - (a + b);
-    const double scale = length(a) + length(b);
-    return std::abs(dot(a, b)) < 1e-9 * scale * scale && length(closing) < 1e-9 * scale;
+    const double scale = length_squared(a) + length_squared(b);
+    return std::abs(dot(a, b)) < 1e-9 * scale && length_squared(closing) < 1e-18 * scale;
 }
 
 /// Area that all facets together show towards w.
@@ -55,25 +48,6 @@ double facet_weight(const Facet& f, const Point3& place) noexcept {
     return f.area * (0.1 + height / length(d));
 }
 
-/// Largest intensities by cosine to the axis, from those by angle.
-std::array<float, 32> glow_of(const LightBounds& b) {
-    std::array<float, 32> glow;
-    const auto band = [](double cosine) {
-        const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-        return std::min(
-            LightBounds::bands - 1,
-            static_cast<std::size_t>(angle / pi * static_cast<double>(LightBounds::bands)));
-    };
-    for (std::size_t i = 0; i < glow.size(); ++i) {
-        const double cosine = -1.0 + static_cast<double>(i) / 16.0;
-        double most = 0.0;
-        for (std::size_t k = band(cosine + 1.0 / 16.0); k <= band(cosine); ++k)
-            most = std::max(most, b.largest[k]);
-        glow[i] = static_cast<float>(most);
-    }
-    return glow;
-}
-
 } // namespace
 
 Emission::Emission(const Scene& scene) : scene_(&scene) {
@@ -89,6 +63,7 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
     std::vector<TypeLight> types;
     for (const LuminaireType& type : scene.luminaire_types)
         types.push_back(describe_type(type));
+    std::vector<double> cumulative_flux;
     for (const Luminaire& l : scene.luminaires) {
         Source s;
         s.type = &scene.type_of(l);
@@ -96,22 +71,23 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
             s.table = &tables_[*table];
         s.flux = in_lumen(l.flux);
         s.centre = l.placement.world_from_luminaire.origin;
-        s.radius_squared = 0.25 * l.opening.largest_dimension * l.opening.largest_dimension;
         for (const Facet& f : l.opening.facets) {
             s.area += f.area;
             for (const Point3& p : f.vertices)
                 s.reach_squared = std::max(s.reach_squared,
                                            slack * length_squared(p - s.centre) + slack - 1.0);
         }
-        const LightBounds bounds = bound_luminaire(l, types[l.placement.type.index()]);
-        s.axis = bounds.axis;
-        s.floor = least_share * s.flux / (4.0 * pi);
-        s.glow = glow_of(bounds);
+        if (scene.luminaires.size() <= LuminairePick::most)
+            few_.add(bound_luminaire(l, types[l.placement.type.index()]),
+                     s.centre,
+                     l.opening.largest_dimension);
         total_flux_ += s.flux;
-        cumulative_flux_.push_back(total_flux_);
+        cumulative_flux.push_back(total_flux_);
         sources_.push_back(s);
     }
-    if (sources_.size() > few_luminaires)
+    if (total_flux_ > 0.0)
+        by_flux_ = CumulativeTable(std::move(cumulative_flux));
+    if (sources_.size() > LuminairePick::most)
         tree_.emplace(scene);
 }
 
@@ -142,77 +118,37 @@ EmissionSample Emission::sample_emission(double u_luminaire,
                                          double v_place,
                                          double u_direction,
                                          double v_direction) const noexcept {
-    const std::size_t l = sample_cumulative(cumulative_flux_, u_luminaire).index;
+    const std::size_t l = by_flux_.sample(u_luminaire).index;
     const Source& source = sources_[l];
     const Luminaire& luminaire = scene_->luminaires[l];
     const Frame& frame = luminaire.placement.world_from_luminaire;
 
-    UnitVector3 w;
+    EmissionSample sample{{l, 0, frame.origin}, {}};
+    UnitVector3& w = sample.direction;
+    double candela = 0.0;
     if (source.table != nullptr) {
-        w = UnitVector3(
-            frame.vector_from_local(source.table->sample(u_direction, v_direction)));
-    } else if (std::holds_alternative<LambertianSource>(source.type->source)) {
-        const bool has_front = luminaire.opening.form == OpeningForm::flat;
-        const UnitVector3 front =
-            has_front ? luminaire.opening.facets.front().normal : -frame.z;
-        w = UnitVector3(
-            make_basis(front).to_world(sample_cosine_hemisphere(u_direction, v_direction)));
+        const TableDraw draw = source.table->draw(u_direction, v_direction);
+        w = UnitVector3(frame.vector_from_local(draw.direction));
+        candela = source.type->flux_scale * draw.candela;
     } else {
-        w = sample_sphere(u_direction, v_direction);
+        if (std::holds_alternative<LambertianSource>(source.type->source)) {
+            const bool has_front = luminaire.opening.form == OpeningForm::flat;
+            const UnitVector3 front =
+                has_front ? luminaire.opening.facets.front().normal : -frame.z;
+            w = UnitVector3(
+                make_basis(front).to_world(sample_cosine_hemisphere(u_direction, v_direction)));
+        } else {
+            w = sample_sphere(u_direction, v_direction);
+        }
+        candela = intensity(l, w);
     }
-
-    switch (luminaire.opening.form) {
-    case OpeningForm::point:
-        return {{l, 0, frame.origin}, w};
-    case OpeningForm::flat:
-        return {{l, 0, sample_polygon(luminaire.opening.facets[0].vertices, u_place, v_place)},
-                w};
-    case OpeningForm::solid:
-        return {place_on_solid(l, w, u_place, v_place), w};
-    }
-    return {};
-}
-
-double Emission::pick_weight(std::size_t luminaire, const Point3& place) const noexcept {
-    const Source& s = sources_[luminaire];
-    const Vector3 d = place - s.centre;
-    const double d2 = length_squared(d);
-    const double cosine = d2 > 0.0 ? dot(s.axis, d) / std::sqrt(d2) : 1.0;
-    const auto cell = static_cast<std::size_t>(std::clamp(16.0 * (cosine + 1.0), 0.0, 31.0));
-    return (s.floor + static_cast<double>(s.glow[cell])) / (d2 + s.radius_squared + 1e-4);
-}
-
-Emission::Pick Emission::pick_luminaire(const Point3& place, double u) const noexcept {
-    if (tree_) {
-        const LightTree::Pick pick = tree_->pick(place, u);
-        return {pick.luminaire, pick.probability};
-    }
-    std::array<double, few_luminaires> weights;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-        weights[i] = pick_weight(i, place);
-        sum += weights[i];
-    }
-    double rest = u * sum;
-    std::size_t chosen = 0;
-    for (std::size_t i = 0; i < sources_.size(); ++i) {
-        if (weights[i] <= 0.0)
-            continue;
-        chosen = i;
-        if (rest < weights[i])
-            break;
-        rest -= weights[i];
-    }
-    return {chosen, weights[chosen] / sum};
-}
-
-double Emission::pick_probability(std::size_t luminaire, const Point3& place) const noexcept {
-    if (tree_)
-        return tree_->probability(place, luminaire);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < sources_.size(); ++i)
-        sum += pick_weight(i, place);
-    return pick_weight(luminaire, place) / sum;
+    if (luminaire.opening.form == OpeningForm::flat)
+        sample.from.position =
+            sample_polygon(luminaire.opening.facets[0].vertices, u_place, v_place);
+    else if (luminaire.opening.form == OpeningForm::solid)
+        sample.from = place_on_solid(l, w, u_place, v_place);
+    sample.strength = per_area(sample.from, w, candela);
+    return sample;
 }
 
 OpeningView::OpeningView(const Luminaire& of,
@@ -235,12 +171,12 @@ OpeningView::OpeningView(const Luminaire& of,
         return;
     if (!is_rectangular(facet))
         return;
-    const SphericalRectangle rectangle(facet.vertices[0],
-                                       facet.vertices[1] - facet.vertices[0],
-                                       facet.vertices[3] - facet.vertices[0],
-                                       place);
-    if (rectangle.solid_angle() > large_solid_angle)
-        rectangle_ = rectangle;
+    rectangle_.emplace(facet.vertices[0],
+                       facet.vertices[1] - facet.vertices[0],
+                       facet.vertices[3] - facet.vertices[0],
+                       place);
+    if (rectangle_->solid_angle() <= large_solid_angle)
+        rectangle_.reset();
 }
 
 EmissionPoint OpeningView::sample(double u, double v) const noexcept {
@@ -289,7 +225,8 @@ TowardsSample Emission::sample_towards(const Point3& place,
                                        double u_luminaire,
                                        double u,
                                        double v) const noexcept {
-    const Pick pick = pick_luminaire(place, u_luminaire);
+    const LightTree::Pick pick =
+        tree_ ? tree_->pick(place, u_luminaire) : few_.pick(place, u_luminaire);
     if (!(pick.probability > 0.0))
         return {};
     const OpeningView opening = view(pick.luminaire, place);
@@ -298,20 +235,31 @@ TowardsSample Emission::sample_towards(const Point3& place,
 }
 
 double Emission::pdf_towards(const Point3& place, const EmissionPoint& from) const noexcept {
-    return pick_probability(from.luminaire, place) * view(from.luminaire, place).pdf(from);
+    const double pick = tree_ ? tree_->probability(place, from.luminaire)
+                              : few_.probability(place, from.luminaire);
+    return pick * view(from.luminaire, place).pdf(from);
 }
 
 double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const noexcept {
+    return per_area(from, w, intensity(from.luminaire, w));
+}
+
+double Emission::intensity(std::size_t luminaire, const UnitVector3& w) const noexcept {
+    const Frame& frame = scene_->luminaires[luminaire].placement.world_from_luminaire;
+    const UnitVector3 local = UnitVector3::from_unit(frame.vector_to_local(w));
+    return in_candela(luminous_intensity(*sources_[luminaire].type, local));
+}
+
+double Emission::per_area(const EmissionPoint& from,
+                          const UnitVector3& w,
+                          double candela) const noexcept {
     const Luminaire& l = scene_->luminaires[from.luminaire];
-    const Source& s = sources_[from.luminaire];
-    const UnitVector3 local =
-        UnitVector3::from_unit(l.placement.world_from_luminaire.vector_to_local(w));
-    const double intensity = l.placement.scale * in_candela(luminous_intensity(*s.type, local));
+    const double intensity = l.placement.scale * candela;
     switch (l.opening.form) {
     case OpeningForm::point:
         return intensity;
     case OpeningForm::flat:
-        return intensity / s.area;
+        return intensity / sources_[from.luminaire].area;
     case OpeningForm::solid: {
         const double shown = std::max(0.0, dot(l.opening.facets[from.facet].normal, w));
         return shown > 0.0 ? intensity * shown / projected_area(l.opening, w) : 0.0;
@@ -320,12 +268,12 @@ double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const
     return 0.0;
 }
 
-Point3 Emission::departure(const EmissionPoint& from, const Vector3& w) const noexcept {
+Point3 Emission::departure(const EmissionPoint& from, const UnitVector3& w) const noexcept {
     const Luminaire& l = scene_->luminaires[from.luminaire];
     const RayCaster& caster = scene_->caster;
     if (l.opening.form == OpeningForm::point)
         return caster.offset_point(from.position, w);
-    const Vector3 normal = l.opening.facets[from.facet].normal;
+    const UnitVector3& normal = l.opening.facets[from.facet].normal;
     return caster.offset_point(from.position, dot(normal, w) >= 0.0 ? normal : -normal);
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "isolux/sampling/warp.h"
 #include "isolux/scene/scene.h"
 #include "isolux/transport/light_tree.h"
+#include "isolux/transport/luminaire_pick.h"
 #include "isolux/transport/table_sampler.h"
 
 namespace isolux {
@@ -24,6 +24,7 @@ struct EmissionPoint {
 struct EmissionSample {
     EmissionPoint from;
     UnitVector3 direction;
+    double strength = 0.0; ///< Emission::evaluate of the two
 };
 
 /// An emission point drawn to light a given place, and the density it was drawn with: per m2 of
@@ -116,7 +117,8 @@ public:
 
     /// Where a ray that leaves `from` along `w` starts, clear of the opening's own body and of
     /// anything the opening lies on. Shadow rays end there too.
-    [[nodiscard]] Point3 departure(const EmissionPoint& from, const Vector3& w) const noexcept;
+    [[nodiscard]] Point3 departure(const EmissionPoint& from,
+                                   const UnitVector3& w) const noexcept;
 
     [[nodiscard]] Rgb colour(std::size_t luminaire) const noexcept;
 
@@ -132,16 +134,12 @@ public:
     }
 
 private:
-    [[nodiscard]] double pick_weight(std::size_t luminaire, const Point3& place) const noexcept;
+    /// Of the luminaire's type, cd.
+    [[nodiscard]] double intensity(std::size_t luminaire, const UnitVector3& w) const noexcept;
 
-    struct Pick {
-        std::size_t luminaire = 0;
-        double probability = 0.0;
-    };
-
-    [[nodiscard]] Pick pick_luminaire(const Point3& place, double u) const noexcept;
-    [[nodiscard]] double pick_probability(std::size_t luminaire,
-                                          const Point3& place) const noexcept;
+    /// What `evaluate` makes of it.
+    [[nodiscard]] double
+    per_area(const EmissionPoint& from, const UnitVector3& w, double candela) const noexcept;
     [[nodiscard]] EmissionPoint place_on_solid(std::size_t luminaire,
                                                const UnitVector3& w,
                                                double u,
@@ -153,20 +151,16 @@ private:
         double flux = 0.0;                   ///< lm
         double area = 0.0;                   ///< m2 of all facets
         Point3 centre;
-        double radius_squared = 0.0;
         double reach_squared =
-            0.0;            ///< m2, from the centre to the farthest corner; 0: no opening
-        UnitVector3 axis;   ///< its light is spread about this
-        double floor = 0.0; ///< cd; every direction counts at least so much when picking
-        std::array<float, 32>
-            glow{}; ///< cd, at least the intensity by cosine to the axis, from -1
+            0.0; ///< m2, from the centre to the farthest corner; 0: no opening
     };
 
     const Scene* scene_;
     std::vector<TableSampler> tables_; ///< one for each luminaire type with a table
     std::vector<Source> sources_;
-    std::vector<double> cumulative_flux_;
+    CumulativeTable by_flux_;
     double total_flux_ = 0.0;
+    LuminairePick few_;
     std::optional<LightTree> tree_; ///< where luminaires are many
 };
 

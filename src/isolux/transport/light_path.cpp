@@ -24,9 +24,8 @@ double first_density(const Emission& emission,
     const double towards = emission.pdf_towards(vertex, start.from);
     if (!(towards > 0.0))
         return 0.0;
-    const double emitted =
-        emission.evaluate(start.from, start.direction) / emission.total_flux();
-    return emitted / towards * cos_vertex / (distance * distance);
+    return start.strength * cos_vertex
+           / (emission.total_flux() * towards * distance * distance);
 }
 
 /// A path goes on as so many at a vertex, at most.
@@ -59,8 +58,8 @@ struct Flight {
 
 /// Where a flight met a surface and what that does.
 struct Meeting {
-    Point3 position;
-    UnitVector3 normal;
+    const SurfaceHit& hit;
+    Point3 clear; ///< moved off the surface, to the side the flight came from
     SurfaceEvent event;
     double diffuse = 0.0;      ///< share of what the flight carries
     double albedo = 0.0;       ///< of all events
@@ -81,33 +80,40 @@ public:
           importance_(importance), roulette_(roulette), waiting_(waiting) {}
 
     FluxTally run(std::uint64_t path) {
-        start(path);
-        while (!waiting_.empty()) {
-            Flight flight = waiting_.back();
-            waiting_.pop_back();
+        Flight flight = start(path);
+        for (;;) {
             while (fly(flight))
                 continue;
+            if (waiting_.empty())
+                return tally_;
+            flight = waiting_.back();
+            waiting_.pop_back();
         }
-        return tally_;
     }
 
 private:
     using D = PathDimension;
 
     /// Luminaire, place and direction. The flux is that of all luminaires.
-    void start(std::uint64_t path) {
-        start_ = emission_.sample_emission(random_(path, D::luminaire),
-                                           random_(path, D::place),
-                                           random_(path, D::place + 1),
-                                           random_(path, D::direction),
-                                           random_(path, D::direction + 1));
+    Flight start(std::uint64_t path) {
+        draws_ = random_.draws(path);
+        start_ = emission_.sample_emission(draws_(D::luminaire),
+                                           draws_(D::place),
+                                           draws_(D::place + 1),
+                                           draws_(D::direction),
+                                           draws_(D::direction + 1));
         Flight f;
+        path_ = path;
         f.number = path;
         f.alpha = emission_.total_flux() * emission_.colour(start_.from.luminaire);
         f.w = start_.direction;
         f.origin = emission_.departure(start_.from, f.w);
         alpha_1_ = luminance_sum(f.alpha);
-        waiting_.push_back(f);
+        return f;
+    }
+
+    [[nodiscard]] double random(const Flight& f, std::uint32_t dimension) const noexcept {
+        return f.number == path_ ? draws_(dimension) : random_(f.number, dimension);
     }
 
     /// To the next surface and off it. @return whether the flight goes on
@@ -122,13 +128,15 @@ private:
         f.edge += hit->distance;
         const SceneTriangle& triangle = scene_.triangle(hit->triangle);
         const double cos_in = std::max(0.0, -dot(hit->normal, f.w));
-        Meeting m{hit->position, hit->normal, {}};
-        m.event = evaluate_surface(scene_.material(triangle.material), hit->is_front, cos_in);
-        m.diffuse = luminance_sum(f.alpha * m.event.diffuse) / carried;
-        m.albedo = m.diffuse + m.event.mirror + m.event.straight;
-        tally_.absorbed += carried * (1.0 - m.albedo);
-        if (!(m.albedo > 0.0))
+        const SurfaceEvent event =
+            evaluate_surface(scene_.material(triangle.material), hit->is_front, cos_in);
+        const double diffuse = luminance_sum(f.alpha * event.diffuse) / carried;
+        const double albedo = diffuse + event.mirror + event.straight;
+        tally_.absorbed += carried * (1.0 - albedo);
+        if (!(albedo > 0.0))
             return false;
+        const Point3 clear = scene_.caster.offset_point(hit->position, hit->normal);
+        Meeting m{*hit, clear, event, diffuse, albedo};
         m.going_on = mean_flights(f, m, carried);
         m.continuation = m.going_on * m.diffuse / m.albedo * rarity(carried);
         if (m.diffuse > 0.0)
@@ -146,7 +154,7 @@ private:
         if (importance_.is_even())
             return std::clamp(wanted, roulette_.least, roulette_.most);
         f.fade *= std::min(1.0, roulette_.most / m.albedo);
-        wanted *= f.fade * importance_.at(m.position, m.normal);
+        wanted *= f.fade * importance_.at(m.hit.position, m.hit.normal);
         const double most = waiting_.size() < most_waiting ? most_branches : roulette_.most;
         return std::clamp(wanted, roulette_.least, most);
     }
@@ -158,25 +166,26 @@ private:
 
     /// Only the diffuse part connects.
     void keep_vertex(const Flight& f, const Meeting& m, double cos_in, MaterialId material) {
-        PathVertex v;
-        v.position = scene_.caster.offset_point(m.position, m.normal);
-        v.normal = m.normal;
+        const std::size_t vertex = vertices_.size();
+        PathVertex& v = vertices_.emplace_back();
+        v.position = m.clear;
+        v.normal = m.hit.normal;
         v.radiant = (1.0 / pi) * (f.alpha * m.event.diffuse);
         v.continuation = m.continuation;
         v.carried = luminance_sum(f.alpha);
         v.order = f.order;
         v.luminaire = static_cast<std::uint32_t>(start_.from.luminaire);
         v.material = material;
-        v.back = f.reflections == 0 ? 0 : static_cast<std::uint32_t>(vertices_.size() - f.last);
+        v.back = f.reflections == 0 ? 0 : static_cast<std::uint32_t>(vertex - f.last);
         v.is_first = f.is_first && !f.behind_mirror;
         if (f.behind_mirror)
             v.density = after_mirror;
         else if (f.is_first)
-            v.density = f.passed * first_density(emission_, start_, m.position, cos_in, f.edge);
+            v.density =
+                f.passed * first_density(emission_, start_, m.hit.position, cos_in, f.edge);
         else
             v.density =
                 f.passed * f.continuation * (f.cos_departure / pi) * cos_in / (f.edge * f.edge);
-        vertices_.push_back(v);
     }
 
     /// As how many flights, if any: what is killed is absorbed in the mean. The others wait
@@ -185,7 +194,7 @@ private:
         const std::size_t vertex = vertices_.size() - 1;
         const double whole = std::floor(m.going_on);
         const double rest = m.going_on - whole;
-        double pick = random_(f.number, D::first_bounce + 3 * f.bounce + D::event);
+        double pick = random(f, D::first_bounce + 3 * f.bounce + D::event);
         const bool one_more = pick < rest;
         const auto flights = static_cast<std::uint32_t>(whole) + (one_more ? 1U : 0U);
         if (flights == 0)
@@ -196,7 +205,7 @@ private:
             branch.number = (f.number & ((1ULL << branch_bits) - 1U))
                             | std::uint64_t{++branches_} << branch_bits;
             const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::event;
-            leave(branch, m, m.albedo * random_(branch.number, d), vertex);
+            leave(branch, m, m.albedo * random(branch, d), vertex);
             waiting_.push_back(branch);
         }
         leave(f, m, pick, vertex);
@@ -209,10 +218,9 @@ private:
         const std::uint32_t d = D::first_bounce + 3 * f.bounce + D::scatter;
         ++f.bounce;
         if (pick < m.diffuse) {
-            const Vector3 local =
-                sample_cosine_hemisphere(random_(f.number, d), random_(f.number, d + 1));
-            f.w = UnitVector3::from_unit(make_basis(m.normal).to_world(local));
-            f.origin = scene_.caster.offset_point(m.position, m.normal);
+            const Vector3 local = sample_cosine_hemisphere(random(f, d), random(f, d + 1));
+            f.w = UnitVector3::from_unit(make_basis(m.hit.normal).to_world(local));
+            f.origin = m.clear;
             f.alpha = (boost / m.diffuse) * (f.alpha * m.event.diffuse);
             f.continuation = m.continuation;
             f.cos_departure = local.z;
@@ -224,14 +232,14 @@ private:
             ++f.reflections;
             f.last = vertex;
         } else if (pick < m.diffuse + m.event.mirror) {
-            f.w = reflect(f.w, m.normal);
-            f.origin = scene_.caster.offset_point(m.position, m.normal);
+            f.w = reflect(f.w, m.hit.normal);
+            f.origin = m.clear;
             f.alpha = boost * f.alpha;
             f.behind_mirror = true;
             ++f.order;
         } else {
             // Across the pane, not along the ray: that could cross a wall the pane ends at.
-            f.origin = scene_.caster.offset_point(m.position, -m.normal);
+            f.origin = scene_.caster.offset_point(m.hit.position, -m.hit.normal);
             f.alpha = boost * f.alpha;
             f.passed *= m.event.straight;
         }
@@ -243,6 +251,8 @@ private:
     std::vector<PathVertex>& vertices_;
     const PathImportance& importance_;
     const Roulette& roulette_;
+    PathRandomness::Draws draws_; ///< of the path itself; branches draw from random_
+    std::uint64_t path_ = 0;
     EmissionSample start_;
     double alpha_1_ = 0.0;
     std::vector<Flight>& waiting_;

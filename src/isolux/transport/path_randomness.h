@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "isolux/sampling/random_stream.h"
@@ -24,21 +23,43 @@ struct PathDimension {
 class PathRandomness {
 public:
     PathRandomness(std::uint64_t seed, std::uint32_t replicate)
-        : tail_(seed, StreamPurpose::light_path, replicate) {
-        for (std::uint32_t d = 0; d < sobol_dimensions; ++d)
-            scramble_[d] = make_scramble(seed, replicate, d);
+        : sobol_(seed, replicate), tail_(seed, StreamPurpose::light_path, replicate) {}
+
+    /// The numbers of one path, or of one branch of a path.
+    class Draws {
+    public:
+        [[nodiscard]] double operator()(std::uint32_t dimension) const noexcept {
+            return dimension < nets_ ? 0x1.0p-32 * words_[dimension]
+                                     : tail_->uniform(path_, dimension);
+        }
+
+    private:
+        friend class PathRandomness;
+
+        const RandomStream* tail_ = nullptr;
+        std::uint64_t path_ = 0;
+        std::uint32_t nets_ = 0; ///< so many dimensions are Sobol' points
+        ScrambledSobol::Words words_;
+    };
+
+    [[nodiscard]] Draws draws(std::uint64_t path) const noexcept {
+        Draws d;
+        d.tail_ = &tail_;
+        d.path_ = path;
+        if (path <= 0xffffffffULL) {
+            d.nets_ = sobol_dimensions;
+            d.words_ = sobol_.words(static_cast<std::uint32_t>(path));
+        }
+        return d;
     }
 
     [[nodiscard]] double operator()(std::uint64_t path,
                                     std::uint32_t dimension) const noexcept {
-        if (dimension < sobol_dimensions && path <= 0xffffffffULL)
-            return sobol_owen(
-                static_cast<std::uint32_t>(path), dimension, scramble_[dimension]);
-        return tail_.uniform(path, dimension);
+        return draws(path)(dimension);
     }
 
 private:
-    std::array<std::uint32_t, sobol_dimensions> scramble_{};
+    ScrambledSobol sobol_;
     RandomStream tail_;
 };
 

@@ -23,7 +23,8 @@ public:
         : tail_(seed, purpose, replicate), receiver_(receiver) {
         const auto low = tail_.words(receiver, first_scramble / 4);
         const auto high = tail_.words(receiver, first_scramble / 4 + 1);
-        scramble_ = {low[0], low[1], low[2], low[3], high[0], high[1]};
+        for (std::uint32_t d = 0; d < nets; ++d)
+            scramble_[d] = prepare_scramble(d < 4 ? low[d] : high[d - 4]);
     }
 
     /// Draw `dimension` of sample `index`; nets of the receiver's own for the first dimensions.
@@ -54,7 +55,7 @@ private:
 
     RandomStream tail_{0, StreamPurpose::gather, 0};
     std::uint64_t receiver_ = 0;
-    std::array<std::uint32_t, nets> scramble_{};
+    std::array<SobolScramble, nets> scramble_{};
 };
 
 /// The numbers of one sample, one after the other.

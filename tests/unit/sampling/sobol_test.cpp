@@ -171,6 +171,19 @@ TEST(SobolOwen, VarianceOfASmoothIntegralFallsLikeTheThirdPower) {
     EXPECT_LT(slope, -2.0);
 }
 
+TEST(Sobol, WholePointsAreTheSingleDraws) {
+    for (const std::uint32_t replicate : {0U, 15U, 0xfffffeU}) {
+        const ScrambledSobol sequence(12, replicate);
+        for (std::uint32_t i = 0; i < 300; ++i) {
+            const std::uint32_t index = i < 256 ? i : i * 0x9e3779b9U;
+            const ScrambledSobol::Words words = sequence.words(index);
+            for (std::uint32_t d = 0; d < sobol_dimensions; ++d)
+                ASSERT_EQ(0x1.0p-32 * words[d],
+                          sobol_owen(index, d, make_scramble(12, replicate, d)));
+        }
+    }
+}
+
 TEST(MakeScramble, DependsOnEveryArgument) {
     std::set<std::uint32_t> distinct;
     std::size_t made = 0;

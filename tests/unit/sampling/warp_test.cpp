@@ -256,6 +256,25 @@ TEST(SphericalRectangle, EndsOfTheUnitSquareStayOnTheRectangle) {
             }
 }
 
+TEST(SphericalRectangle, IsNearlyHalfASphereFromRightAboveIt) {
+    for (const double height : {1e-9, 1e-6, 1e-3, 0.1, 0.3})
+        for (const double x : {1e-4, 0.1, 0.5}) {
+            const View w{{0, 0, 0}, {0, 1, 0}, {2, 0, 0}, {x, 0.3, height}};
+            const SphericalRectangle r(w.corner, w.edge_u, w.edge_v, w.eye);
+            EXPECT_NEAR(r.solid_angle(),
+                        solid_angle(outline(w), w.eye),
+                        std::max(1e-13, 1e-15 / height));
+        }
+}
+
+TEST(SphericalRectangle, IsAlmostNothingFromFarAway) {
+    for (const double away : {1e3, 1e5, 1e7, 1e9, 1e11})
+        for (const double aside : {0.0, 0.5, 30.0}) {
+            const SphericalRectangle r({aside, -0.4, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, away});
+            EXPECT_NEAR(r.solid_angle(), 1.0 / (away * away), 2e-3 / (away * away) + 2e-15);
+        }
+}
+
 TEST(SphericalRectangle, SeenFromItsPlaneIsNothing) {
     EXPECT_EQ(SphericalRectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 3, 0}).solid_angle(),
               0.0);
@@ -397,6 +416,31 @@ TEST(SampleCumulative, DrawsByWeightAndNeverAnEmptyEntry) {
     EXPECT_EQ(sample_cumulative(cumulative, 0.0).index, 1u);
     EXPECT_EQ(sample_cumulative(cumulative, last).index, 6u);
     EXPECT_EQ(sample_cumulative(cumulative, std::nextafter(1.0, 0.0)).index, 6u);
+}
+
+TEST(CumulativeTable, DrawsWhatTheSumsAloneWouldGive) {
+    const RandomStream stream(4, StreamPurpose::test, 0);
+    for (const std::size_t entries : {1U, 2U, 3U, 64U, 1000U}) {
+        std::vector<double> sums;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < entries; ++i) {
+            const auto x = stream.uniform4(i, static_cast<std::uint32_t>(entries));
+            // many of nothing, some of much
+            sums.push_back(sum += entries > 3 && x[0] < 0.7 ? 0.0 : std::pow(x[1], 9.0));
+        }
+        const CumulativeTable table(sums);
+        const auto agrees = [&](double u) {
+            const DiscreteSample a = table.sample(u);
+            const DiscreteSample b = sample_cumulative(sums, u);
+            return a.index == b.index && a.stretched == b.stretched;
+        };
+        for (std::uint32_t i = 0; i < 20000; ++i)
+            ASSERT_TRUE(agrees(stream.uniform(i, 7))) << entries;
+        for (std::size_t i = 0; i < entries; ++i) // right at the borders, and next to them
+            for (const double u : {sums[i] / sum, std::nextafter(sums[i] / sum, 0.0)})
+                ASSERT_TRUE(u >= 1.0 || agrees(u)) << entries;
+        ASSERT_TRUE(agrees(0.0) && agrees(last)) << entries;
+    }
 }
 
 TEST(SampleCumulative, StretchesTheRestToTheWholeInterval) {

@@ -138,6 +138,20 @@ TEST_P(TableDirections, HaveTheFluxOfAFineQuadrature) {
     EXPECT_NEAR(sampler.flux(), in_lumen(table.flux()), 1e-9 * sampler.flux());
 }
 
+TEST_P(TableDirections, KnowTheIntensityThere) {
+    const IntensityDistribution table =
+        random_table(GetParam() / 8.0, GetParam(), static_cast<unsigned>(GetParam()));
+    const TableSampler sampler(table);
+    std::mt19937_64 engine(12);
+    std::uniform_real_distribution<double> u(0.0, 1.0);
+    for (int i = 0; i < 20000; ++i) {
+        const double a = u(engine);
+        const TableDraw draw = sampler.draw(a, u(engine));
+        EXPECT_NEAR(length(draw.direction), 1.0, 1e-14);
+        ASSERT_NEAR(draw.candela, in_candela(table.evaluate(draw.direction)), 1e-9);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Symmetries, TableDirections, testing::Values(360.0));
 
 /// Variance between replicates of the illuminance of a panel, n samples each.
