@@ -78,5 +78,31 @@ TEST(Threads, OneTwoAndSevenGiveTheSameBytes) {
 
 TEST(Threads, AnotherSeedGivesOtherBytes) { EXPECT_NE(run(2, 3).csv, run(2, 4).csv); }
 
+TEST(Threads, GiveTheSameBytesWithATreeOfVertices) {
+    const Scene scene = make_room();
+    const std::vector<CalculationSurface> surfaces{make_grid_surface("plane",
+                                                                     Frame{{0.05, 0.05, 0.75}},
+                                                                     Metre(4.9),
+                                                                     Metre(3.9),
+                                                                     {90, 70},
+                                                                     {},
+                                                                     IlluminanceKind::planar,
+                                                                     UnitVector3{})};
+    std::string one;
+    for (const std::size_t threads : {1, 2, 7}) {
+        const ThreadLimit limit(threads);
+        Settings settings;
+        settings.seed = 5;
+        settings.fixed_units = 1;
+        const Results results = calculate(scene, surfaces, settings);
+        ASSERT_NE(results.estimator.find("(in a tree)"), std::string::npos)
+            << results.estimator;
+        const std::string csv = to_csv(results.surfaces[0], results.confidence);
+        if (threads == 1)
+            one = csv;
+        EXPECT_TRUE(csv == one) << threads << " threads";
+    }
+}
+
 } // namespace
 } // namespace isolux

@@ -24,6 +24,17 @@ double power_of_two_above(double x, std::size_t least, std::size_t most) {
 
 constexpr std::size_t most_looks = DirectLight::most_looks;
 
+/// Variance of one draw by the tree, as a share of the square of what it stands for; measured
+/// (METHODS "Vertex tree").
+constexpr double variance_of_tree = 0.0015;
+
+/// Fewer points than this are never worth a tree, and fewer paths neither.
+constexpr std::size_t fewest_points_of_a_tree = 4096;
+constexpr std::size_t fewest_paths_of_a_tree = 4096;
+
+/// A tree is taken where it should save at least this share: costs are not known better.
+constexpr double least_gain = 0.15;
+
 /// The power of two in [least, most] for which a/n^power + price n is least.
 std::size_t
 best_count(double a, double price, std::size_t least, std::size_t most, double power = 1.0) {
@@ -51,9 +62,10 @@ Outcome outcome_of(const SharedTask& task, const Effort& effort) {
         const double share = static_cast<double>(task.points[c]) / static_cast<double>(points);
         const VarianceModel& model = task.models[c];
         const PointEffort& e = effort.at[c];
-        sum.variance += share * (model.of(effort.paths, e) + model.of_direct(e));
+        sum.variance +=
+            share * (model.of(effort.paths, e, effort.weighing) + model.of_direct(e));
         sum.cost += share
-                    * (task.costs.of(effort.paths, e, points)
+                    * (task.costs.of(effort.paths, e, points, effort.weighing)
                        + task.costs.look * model.look_samples * static_cast<double>(e.looks));
     }
     return sum;
@@ -61,26 +73,29 @@ Outcome outcome_of(const SharedTask& task, const Effort& effort) {
 
 /// Where variance has a price, every class chooses for itself; all prices are tried.
 template <class Cost>
-Effort best_effort(const SharedTask& task, std::size_t paths, Cost&& total_cost) {
+Effort
+best_effort(const SharedTask& task, std::size_t paths, Weighing weighing, Cost&& total_cost) {
     Effort best;
     double least = 0.0;
     for (int exponent = -40; exponent <= 40; ++exponent) {
         const double price = std::exp2(0.5 * exponent); // of a nanosecond, in variance
         Effort effort;
         effort.paths = paths;
+        effort.weighing = weighing;
         for (std::size_t c = 0; c < point_classes; ++c)
-            effort.at[c] = {
-                best_count(
-                    task.models[c].draws, price * task.costs.draw, fewest_draws, most_draws),
-                best_count(task.models[c].directions,
-                           price * task.costs.direction,
-                           1,
-                           most_directions),
-                best_count(task.models[c].direct,
-                           price * task.costs.look * task.models[c].look_samples,
-                           1,
-                           most_looks,
-                           2.0)};
+            effort.at[c] = {best_count(task.models[c].draws_by(weighing),
+                                       price * task.costs.draw_by(weighing),
+                                       fewest_draws,
+                                       most_draws),
+                            best_count(task.models[c].directions_beside(paths),
+                                       price * task.costs.direction,
+                                       1,
+                                       most_directions),
+                            best_count(task.models[c].direct,
+                                       price * task.costs.look * task.models[c].look_samples,
+                                       1,
+                                       most_looks,
+                                       2.0)};
         const double cost = total_cost(outcome_of(task, effort));
         if (least == 0.0 || cost < least) {
             least = cost;
@@ -102,9 +117,19 @@ double cost_with_units(const Outcome& o) {
 
 } // namespace
 
-double VarianceModel::of(std::size_t m, const PointEffort& e) const noexcept {
-    return paths / static_cast<double>(m) + draws / static_cast<double>(e.draws)
-           + directions / static_cast<double>(e.directions);
+double VarianceModel::draws_by(Weighing weighing) const noexcept {
+    return weighing == Weighing::tree ? draws + variance_of_tree * light : draws;
+}
+
+double VarianceModel::directions_beside(std::size_t m) const noexcept {
+    return directions
+           * std::pow(static_cast<double>(pilot_paths) / static_cast<double>(m), relief);
+}
+
+double
+VarianceModel::of(std::size_t m, const PointEffort& e, Weighing weighing) const noexcept {
+    return paths / static_cast<double>(m) + draws_by(weighing) / static_cast<double>(e.draws)
+           + directions_beside(m) / static_cast<double>(e.directions);
 }
 
 double VarianceModel::of_direct(const PointEffort& e) const noexcept {
@@ -112,9 +137,15 @@ double VarianceModel::of_direct(const PointEffort& e) const noexcept {
     return direct / (looks * looks);
 }
 
-double UnitCosts::of(std::size_t m, const PointEffort& e, std::size_t points) const noexcept {
-    const double shared = path / static_cast<double>(std::max<std::size_t>(1, points));
-    return static_cast<double>(m) * (shared + pair) + static_cast<double>(e.draws) * draw
+double UnitCosts::of(std::size_t m,
+                     const PointEffort& e,
+                     std::size_t points,
+                     Weighing weighing) const noexcept {
+    const auto all = static_cast<double>(std::max<std::size_t>(1, points));
+    const auto paths = static_cast<double>(m);
+    const double weighed = weighing == Weighing::tree ? paths * (tree_path / all) + cut
+                                                      : paths * (path / all + pair);
+    return weighed + static_cast<double>(e.draws) * draw_by(weighing)
            + static_cast<double>(e.directions) * direction + point;
 }
 
@@ -145,28 +176,56 @@ UnitCosts make_unit_costs(const Scene& scene,
     c.sample = (chain_length + 0.5) * (next_event + image + 220.0 * depth);
     c.look = c.draw;
     c.point = 150.0;
+    c.tree_path = 1.4 * c.path; // they no longer fit into the processor's caches
+    c.descent = 150.0;
     return c;
 }
+
+bool may_take_tree(std::size_t points) noexcept { return points >= fewest_points_of_a_tree; }
 
 EffortChoice choose_effort(const SharedTask& task) {
     EffortChoice best;
     double least = 0.0;
-    for (std::size_t m = fewest_paths; m <= most_paths; m *= 2) {
-        const Effort effort = best_effort(task, m, cost_with_units);
+    const auto consider = [&](std::size_t m, Weighing weighing, double doubt) {
+        const Effort effort = best_effort(task, m, weighing, cost_with_units);
         const Outcome o = outcome_of(task, effort);
-        const double cost = cost_with_units(o);
+        const double cost = doubt * cost_with_units(o);
         if (least == 0.0 || cost < least) {
             least = cost;
             best = {
                 effort,
                 static_cast<std::size_t>(power_of_two_above(o.variance / aim, 1, most_units))};
         }
-    }
+    };
+    for (std::size_t m = fewest_paths; m <= most_paths; m *= 2)
+        consider(m, Weighing::all, 1.0);
+    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
+        for (std::size_t m = fewest_paths_of_a_tree; m <= most_paths_of_a_tree; m *= 2)
+            consider(m, Weighing::tree, 1.0 / (1.0 - least_gain));
     return best;
 }
 
-Effort balance_effort(const SharedTask& task, std::size_t paths) {
-    return best_effort(task, paths, [](const Outcome& o) { return o.variance * o.cost; });
+Effort balance_effort(const SharedTask& task, std::size_t paths, Weighing weighing) {
+    return best_effort(
+        task, paths, weighing, [](const Outcome& o) { return o.variance * o.cost; });
+}
+
+Effort balance_paths(const SharedTask& task, std::size_t paths) {
+    const auto price = [&](const Effort& effort) {
+        const Outcome o = outcome_of(task, effort);
+        return o.variance * o.cost;
+    };
+    Effort best = balance_effort(task, paths);
+    double least = (1.0 - least_gain) * price(best);
+    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
+        for (std::size_t m = fewest_paths_of_a_tree; m <= most_paths_of_a_tree; m *= 2) {
+            const Effort effort = balance_effort(task, m, Weighing::tree);
+            if (price(effort) < least) {
+                least = price(effort);
+                best = effort;
+            }
+        }
+    return best;
 }
 
 std::size_t choose_samples(const VarianceModel& model, std::size_t units) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "isolux/scene/scene.h"
+#include "isolux/transport/vertex_cache.h"
 
 namespace isolux {
 
@@ -31,6 +32,7 @@ struct PointEffort {
 /// and, at every point, what its class needs, or `samples` traced paths.
 struct Effort {
     std::size_t paths = 1024; ///< M, a power of two
+    Weighing weighing = Weighing::all;
     ByClass<PointEffort> at;
     std::size_t samples = 32; ///< path tracing
 };
@@ -38,8 +40,15 @@ struct Effort {
 /// Which estimator of the indirect part a point takes.
 enum class PointEstimator : std::uint8_t { local, mis, path_tracing, study };
 
+inline constexpr std::size_t pilot_paths = 512; ///< per replicate
 inline constexpr std::size_t fewest_paths = 256;
 inline constexpr std::size_t most_paths = 16384;
+inline constexpr std::size_t most_paths_of_a_tree = 131072;
+
+/// VarianceModel::relief where so many points share light paths that M grows far beyond the
+/// pilot's; measured.
+inline constexpr double relief_of_many = 0.5;
+
 inline constexpr std::size_t fewest_draws = 4;
 inline constexpr std::size_t most_draws = 128;
 inline constexpr std::size_t most_directions = 128;
@@ -55,11 +64,20 @@ struct VarianceModel {
     double directions = 0.0;
     double direct = 0.0;
     double samples = 0.0;
+    double light = 0.0; ///< what cached vertices give, squared, in the same shares
 
     double look_samples = 0.0; ///< of one unit of direct light
 
+    /// `directions` falls like M to this power from the pilot's M on: METHODS "Vertex tree".
+    double relief = 0.0;
+
+    /// `draws` as they are by the tree.
+    [[nodiscard]] double draws_by(Weighing weighing) const noexcept;
+    [[nodiscard]] double directions_beside(std::size_t m) const noexcept;
+
     /// Of LE-MIS with M paths, without the direct part.
-    [[nodiscard]] double of(std::size_t m, const PointEffort& e) const noexcept;
+    [[nodiscard]] double
+    of(std::size_t m, const PointEffort& e, Weighing weighing = Weighing::all) const noexcept;
     [[nodiscard]] double of_direct(const PointEffort& e) const noexcept;
 };
 
@@ -74,11 +92,20 @@ struct UnitCosts {
     double sample = 0.0;    ///< of one traced path
     double look = 0.0;      ///< of one sample of direct light
     double point = 0.0;     ///< of a point's unit whatever it holds
+    double tree_path = 0.0; ///< of one light path that goes into a tree
+    double cut = 0.0;       ///< of the tree's cut at one point; 0: nobody asks for a tree
+    double descent = 0.0;   ///< of one draw down the tree, beside its shadow ray
+
+    [[nodiscard]] double draw_by(Weighing weighing) const noexcept {
+        return weighing == Weighing::tree ? draw + descent : draw;
+    }
 
     /// Of LE-MIS, one unit and one point among `points` that share the M light paths, without
     /// direct light.
-    [[nodiscard]] double
-    of(std::size_t m, const PointEffort& e, std::size_t points) const noexcept;
+    [[nodiscard]] double of(std::size_t m,
+                            const PointEffort& e,
+                            std::size_t points,
+                            Weighing weighing = Weighing::all) const noexcept;
 };
 
 /// @param vertices_per_path  of the pilot, with all branches
@@ -108,7 +135,15 @@ struct EffortChoice {
 [[nodiscard]] EffortChoice choose_effort(const SharedTask& task);
 
 /// The most efficient numbers of draws, directions and looks beside so many paths.
-[[nodiscard]] Effort balance_effort(const SharedTask& task, std::size_t paths);
+[[nodiscard]] Effort
+balance_effort(const SharedTask& task, std::size_t paths, Weighing weighing = Weighing::all);
+
+/// Whether so many points may share a tree: for fewer nothing is gained.
+[[nodiscard]] bool may_take_tree(std::size_t points) noexcept;
+
+/// The most efficient effort, with a tree and any M where that is better by far, else with the
+/// M given.
+[[nodiscard]] Effort balance_paths(const SharedTask& task, std::size_t paths);
 
 /// Paths to trace from a point in each of `units` units.
 [[nodiscard]] std::size_t choose_samples(const VarianceModel& model, std::size_t units);

@@ -133,6 +133,11 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     pilot_ = run_pilot(scene, target);
     costs_ = make_unit_costs(
         *scene_, pilot_.vertices_per_path, pilot_.chain_length, images_.draws());
+    if (may_take_tree(receivers_.size()) && !settings_.direct_only) {
+        costs_.cut = find_cost_of_cut(scene, pilot_.importance);
+        for (VarianceModel& model : pilot_.of_class)
+            model.relief = relief_of_many;
+    }
     plan_ = make_work_plan(settings_, pilot_, costs_, points);
     effort_ = plan_.effort;
     fix_counts();
@@ -210,7 +215,9 @@ VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) con
                               static_cast<std::uint64_t>(unit) * effort_.paths,
                               effort_.paths,
                               counts_,
-                              pilot_.importance);
+                              pilot_.importance,
+                              {},
+                              effort_.weighing);
 }
 
 void Engine::estimate_local(const VertexCache& cache,
@@ -429,8 +436,9 @@ std::string Engine::describe() const {
         return text.empty() ? "none" : text;
     };
     const std::string text =
-        fmt::format("light paths per replicate and unit: {}, shadow rays a point: {}",
+        fmt::format("light paths per replicate and unit: {}{}, shadow rays a point: {}",
                     effort_.paths,
+                    effort_.weighing == Weighing::tree ? " (in a tree)" : "",
                     by_class(&PointEffort::draws));
     switch (settings_.estimator) {
     case Estimator::local_estimation:

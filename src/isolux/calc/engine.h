@@ -23,8 +23,8 @@ struct ReplicateFlux {
 };
 
 /// Runs units of work on a scene: between two calls of adapt() the same numbers for the same
-/// (seed, unit, replicate, point), whoever calls and in whatever order. When it is enough is
-/// for the caller to say.
+/// (seed, unit, replicate, point, and with a tree company), whoever calls and in whatever
+/// order. When it is enough is for the caller to say.
 class Engine {
 public:
     /// Independent randomised replicates behind every error bar (METHODS eq. (15)).

@@ -48,7 +48,7 @@ NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     if (!needs_paths_)
         return next;
     // More for each of few points; never less, so that no number is drawn twice.
-    const Effort balanced = balance_effort(task, effort_.paths);
+    const Effort balanced = balance_effort(task, effort_.paths, effort_.weighing);
     for (std::size_t c = 0; c < point_classes; ++c) {
         PointEffort& e = effort_.at[c];
         e.draws = std::max(e.draws, balanced.at[c].draws);
@@ -145,7 +145,7 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
 
 /// Of one unit of LE-MIS at one receiver in one replicate, without the light paths, ns.
 double Engine::own_cost(std::size_t receiver) const noexcept {
-    return costs_.of(effort_.paths, effort_of(receiver), 1)
+    return costs_.of(effort_.paths, effort_of(receiver), 1, effort_.weighing)
            - static_cast<double>(effort_.paths) * costs_.path;
 }
 

@@ -154,6 +154,7 @@ PointVariance judge(std::span<const Look> looks) {
     const std::size_t count = looks.size();
     std::vector<double> indirect(count), traced(count), direct(count);
     double inside_local = 0.0, inside_gathered = 0.0, value = 0.0, missing = 0.0;
+    double cached = 0.0;
     const auto n = static_cast<double>(count);
     for (std::size_t r = 0; r < count; ++r) {
         const Look& l = looks[r];
@@ -164,8 +165,10 @@ PointVariance judge(std::span<const Look> looks) {
         inside_local += half_square(l.local) / n;
         inside_gathered += half_square(l.gathered) / n;
         value += (direct[r] + indirect[r]) / n;
+        cached += 0.5 * (l.local[0] + l.local[1]) / n;
     }
     PointVariance v;
+    v.model.light = cached * cached;
     v.value = value;
     v.model.draws = static_cast<double>(draws) * inside_local;
     v.model.directions = static_cast<double>(directions) * inside_gathered;
@@ -184,6 +187,7 @@ void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
     sum.directions += factor * m.directions;
     sum.samples += factor * m.samples;
     sum.direct += factor * m.direct;
+    sum.light += factor * m.light;
 }
 
 /// In shares of the variance the tolerance allows, then mean over the points of a class.
@@ -344,6 +348,40 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     pilot.chain_length = means.chain_length;
     pilot.importance = std::move(importance);
     return pilot;
+}
+
+double find_cost_of_cut(const PilotScene& task, const PathImportance& importance) {
+    constexpr std::size_t trial_paths = 16384;
+    constexpr std::size_t trial_tiles = 32;
+    constexpr double row_cost = 40.0; // of a tile's cut, for each of its points, ns
+    if (task.emission->total_flux() <= 0.0)
+        return 0.0;
+    const VertexCache cache =
+        build_vertex_cache(*task.scene,
+                           *task.emission,
+                           PathRandomness(task.seed, first_replicate + most_pilot_replicates),
+                           0,
+                           trial_paths,
+                           EffectiveCounts{},
+                           importance,
+                           {},
+                           Weighing::tree);
+    if (cache.tree.empty())
+        return 0.0;
+    const std::size_t tiles = task.receivers.size() / tile;
+    TreeScratch scratch;
+    std::vector<TreePoint> points;
+    double rows = 0.0;
+    for (std::size_t k = 0; k < trial_tiles; ++k) {
+        const std::size_t first = (2 * k + 1) * tiles / (2 * trial_tiles) * tile;
+        points.clear();
+        for (std::size_t i = first; i < first + tile; ++i)
+            points.push_back(
+                {make_kernel_receiver(cache, task.receivers[i], task.clear[i]), task.clear[i]});
+        cut_tree(cache, points, task.receivers[first].kind, scratch);
+        rows += static_cast<double>(scratch.cut.rows()) / trial_tiles;
+    }
+    return row_cost * (1.0 + rows);
 }
 
 std::vector<TracingTrial> try_tracing(const PilotScene& task,

@@ -42,7 +42,6 @@ struct PilotTarget {
 inline constexpr std::size_t fewest_pilot_replicates = 4;
 inline constexpr std::size_t most_pilot_replicates = 16;
 inline constexpr std::size_t pilot_points = 64;
-inline constexpr std::size_t pilot_paths = 512; ///< per replicate
 
 /// What a few samples of some points say about the variance, METHODS eq. (61). They come
 /// from replicates of their own and are thrown away: what follows from them steers the work and
@@ -57,6 +56,10 @@ struct Pilot {
 };
 
 [[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);
+
+/// What cutting a tree and weighing what comes of it costs a point, ns (UnitCosts::cut): the
+/// tree of a few thousand paths is cut for some of the task's tiles.
+[[nodiscard]] double find_cost_of_cut(const PilotScene& task, const PathImportance& importance);
 
 /// What a trial of path tracing found at a receiver.
 struct TracingTrial {

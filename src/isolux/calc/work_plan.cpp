@@ -52,7 +52,7 @@ void plan_tracing(WorkPlan& plan, const VarianceModel& model) {
 /// Effort for a task, units included where they are free.
 EffortChoice choose(const Settings& settings, const SharedTask& task) {
     if (settings.fixed_units)
-        return {balance_effort(task, paths_for(task.all())), 1};
+        return {balance_paths(task, paths_for(task.all())), 1};
     return choose_effort(task);
 }
 
@@ -69,8 +69,8 @@ void judge_classes(WorkPlan& plan,
         SharedTask alone{{}, task.models, task.costs};
         alone.points[c] = all;
         const Effort effort = choose(settings, alone).effort;
-        const double shared = model.of(effort.paths, effort.at[c])
-                              * task.costs.of(effort.paths, effort.at[c], all);
+        const double shared = model.of(effort.paths, effort.at[c], effort.weighing)
+                              * task.costs.of(effort.paths, effort.at[c], all, effort.weighing);
         if (pilot.points[c] == 0 || !(shared > 0.0))
             continue;
         plan.advantage[c] = model.samples * task.costs.sample / shared;

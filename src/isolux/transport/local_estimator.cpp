@@ -149,12 +149,9 @@ private:
     std::size_t block_ = 0;
 };
 
-/// Systematic draws along the running sum: vertices chosen in proportion to u, METHODS "Shared
-/// cache", step 2. Draw k of all points stand together: they look the same way.
-void draw_vertices(const VertexCache& cache,
-                   std::span<const LocalPoint> points,
-                   LocalScratch& s) {
-    // where the draws of every round begin; points that are done leave the round
+/// Where the draws of every round begin, the first ones of all points first; points that are
+/// done leave the round. Draw k of all points stand together: they look the same way.
+void start_rounds(std::span<const LocalPoint> points, LocalScratch& s) {
     std::size_t most = 0;
     for (const LocalPoint& p : points)
         most = std::max(most, p.draws);
@@ -168,29 +165,82 @@ void draw_vertices(const VertexCache& cache,
         s.rounds[k + 1] += s.rounds[k];
     s.draws.assign(s.rounds[most], {});
     s.segments.resize(s.rounds[most]);
+}
+
+/// Aims the draws of a point. @param share_of  of draw k: its light over the colour of its
+/// vertex; 0: it brings none
+template <class Share>
+void aim(const VertexCache& cache,
+         std::span<const LocalPoint> points,
+         std::size_t p,
+         LocalScratch& s,
+         Share&& share_of) {
+    for (std::size_t k = 0; k < points[p].draws; ++k) {
+        const std::size_t place = s.rounds[k]++;
+        LocalDraw& draw = s.draws[place];
+        draw.point = static_cast<std::uint32_t>(p);
+        s.segments[place] = {points[p].at, points[p].at};
+        const double share = share_of(k);
+        if (share <= 0.0)
+            continue;
+        const PathVertex& v = cache.vertices[draw.vertex];
+        draw.light = (share / luminance_sum(v.radiant)) * v.radiant;
+        s.segments[place].b = v.position;
+    }
+}
+
+/// Told early what will be read: the vertices lie anywhere in memory.
+void choose(const VertexCache& cache, LocalDraw& draw, std::size_t place) noexcept {
+    draw.vertex = cache.vertex_at[place];
+    __builtin_prefetch(&cache.vertices[draw.vertex].position);
+    __builtin_prefetch(&cache.vertices[draw.vertex].radiant);
+}
+
+/// Systematic draws along the running sum: vertices chosen in proportion to u, METHODS "Shared
+/// cache", step 2.
+void draw_vertices(const VertexCache& cache,
+                   std::span<const LocalPoint> points,
+                   LocalScratch& s) {
     for (std::size_t p = 0; p < points.size(); ++p) {
         RunningSum sum(s, p, cache, s.block_sums);
         const bool is_lit = sum.total() > 0.0;
         const double step = sum.total() / static_cast<double>(points[p].draws);
         const double share = step / static_cast<double>(cache.paths);
-        // Found first, read later: the vertices lie anywhere in memory.
         for (std::size_t k = 0; is_lit && k < points[p].draws; ++k) {
             const double target = (static_cast<double>(k) + points[p].offset) * step;
-            LocalDraw& draw = s.draws[s.rounds[k]];
-            draw.vertex = cache.vertex_at[sum.find(target)];
-            __builtin_prefetch(&cache.vertices[draw.vertex].position);
-            __builtin_prefetch(&cache.vertices[draw.vertex].radiant);
+            choose(cache, s.draws[s.rounds[k]], sum.find(target));
         }
-        for (std::size_t k = 0; k < points[p].draws; ++k) {
-            const std::size_t place = s.rounds[k]++;
-            LocalDraw& draw = s.draws[place];
-            draw.point = static_cast<std::uint32_t>(p);
-            s.segments[place] = {points[p].at, points[p].at};
-            if (!is_lit)
-                continue;
-            const PathVertex& v = cache.vertices[draw.vertex];
-            draw.light = (share / luminance_sum(v.radiant)) * v.radiant;
-            s.segments[place].b = v.position;
+        aim(cache, points, p, s, [&](std::size_t) { return is_lit ? share : 0.0; });
+    }
+}
+
+/// The same by the tree, for runs of points of one kind.
+void draw_vertices_by_tree(const VertexCache& cache,
+                           std::span<const LocalPoint> points,
+                           Weighting weighting,
+                           LocalScratch& s) {
+    const double paths = static_cast<double>(cache.paths);
+    for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+        const IlluminanceKind kind = points[first].receiver->kind;
+        s.tree_points.clear();
+        std::size_t count = 0;
+        for (; last < points.size() && points[last].receiver->kind == kind; ++last) {
+            const LocalPoint& p = points[last];
+            s.tree_points.push_back({make_kernel_receiver(cache, *p.receiver, p.at, p.rays),
+                                     p.at,
+                                     p.offset,
+                                     p.draws,
+                                     p.leaves_corners});
+            count += p.draws;
+        }
+        s.tree_draws.resize(count);
+        draw_by_tree(cache, s.tree_points, kind, weighting, s.tree, s.tree_draws);
+        const TreeDraw* own = s.tree_draws.data();
+        for (std::size_t p = first; p < last; own += points[p++].draws) {
+            for (std::size_t k = 0; k < points[p].draws; ++k)
+                if (own[k].share > 0.0)
+                    choose(cache, s.draws[s.rounds[k]], own[k].place);
+            aim(cache, points, p, s, [&](std::size_t k) { return own[k].share / paths; });
         }
     }
 }
@@ -231,9 +281,14 @@ std::span<const LocalDraw> gather_local_estimates(const Scene& scene,
     scratch.draws.clear();
     if (cache.empty() || points.empty())
         return {};
-    weigh_points(cache, points, weighting, scratch);
-    leave_corners(cache, points, cache.corner, scratch);
-    draw_vertices(cache, points, scratch);
+    start_rounds(points, scratch);
+    if (cache.tree.empty()) {
+        weigh_points(cache, points, weighting, scratch);
+        leave_corners(cache, points, cache.corner, scratch);
+        draw_vertices(cache, points, scratch);
+    } else {
+        draw_vertices_by_tree(cache, points, weighting, scratch);
+    }
 
     // Look at them, sixteen at a time.
     std::array<float, packet_size> visible{};

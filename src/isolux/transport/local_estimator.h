@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "isolux/transport/tree_draws.h"
 #include "isolux/transport/vertex_cache.h"
 
 namespace isolux {
@@ -47,12 +48,15 @@ struct LocalScratch {
     std::vector<KernelReceiver> receivers;
     std::vector<LocalDraw> draws;
     std::vector<SightSegment> segments;
+    TreeScratch tree;
+    std::vector<TreePoint> tree_points;
+    std::vector<TreeDraw> tree_draws;
 };
 
 /// Local estimate of illuminance from a shared cache, METHODS eq. (5), (6), (10), for
 /// neighbouring points at once: all vertices are weighed, K of them a point, in proportion, are
-/// looked at through the scene. Adds to `result`, lx per channel; direct light
-/// is not included.
+/// looked at through the scene; in a cache with a tree clusters are weighed for the rest. Adds
+/// to `result`, lx per channel; direct light is not included.
 ///
 /// @return  the draws that brought light; they live in `scratch`
 /// @pre     K >= 1; the vertices lie on surfaces of `scene`; as many results as points

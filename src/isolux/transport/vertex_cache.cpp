@@ -90,6 +90,36 @@ bool is_close(const VertexCache& cache, std::size_t vertex, double corner) noexc
            < corner * corner;
 }
 
+/// Fills the blocks row by row, so that clusters of the tree are rows, and builds it.
+void pack_for_tree(VertexCache& cache, const EffectiveCounts& counts) {
+    cache.vertex_at = cache.sorted;
+    const std::size_t n = cache.vertex_at.size();
+    cache.blocks.resize((n + VertexBlock::size - 1) / VertexBlock::size);
+    cache.vertex_at.resize(cache.blocks.size() * VertexBlock::size, 0);
+    std::vector<std::uint8_t> is_near(cache.vertex_at.size(), 0);
+    for_each_index(cache.blocks.size(), 16, [&](std::size_t b) {
+        std::array<std::size_t, VertexBlock::size> places{};
+        VertexBlock& block = cache.blocks[b];
+        const std::size_t first = b * VertexBlock::size;
+        const std::size_t count = std::min(VertexBlock::size, n - first);
+        block.rows = static_cast<std::uint32_t>((count + VertexBlock::columns - 1)
+                                                / VertexBlock::columns);
+        for (std::size_t i = 0; i < count; ++i) {
+            places[i] = i;
+            const std::size_t vertex = cache.vertex_at[first + i];
+            put(block, i, cache.vertices[vertex], cache.centre, counts);
+            is_near[first + i] = is_close(cache, vertex, counts.corner) ? 1 : 0;
+        }
+        find_bounds(block, std::span(places).first(count));
+    });
+    for (std::size_t i = 0; i < n; ++i)
+        if (is_near[i] != 0)
+            cache.close.push_back(
+                {cache.vertices[cache.vertex_at[i]].position, static_cast<std::uint32_t>(i)});
+    cache.tree = build_vertex_tree(cache.blocks, n);
+    cache.tree.is_close = std::move(is_near);
+}
+
 /// Fills the blocks, each column by column, so that the running sum follows the sorted order.
 void pack(VertexCache& cache, const EffectiveCounts& counts) {
     const std::vector<std::uint32_t>& sorted = cache.sorted;
@@ -153,7 +183,8 @@ VertexCache build_vertex_cache(const Scene& scene,
                                std::size_t count,
                                const EffectiveCounts& counts,
                                const PathImportance& importance,
-                               const Roulette& roulette) {
+                               const Roulette& roulette,
+                               Weighing weighing) {
     VertexCache cache;
     cache.paths = count;
     cache.corner = counts.corner;
@@ -191,13 +222,17 @@ VertexCache build_vertex_cache(const Scene& scene,
     }
     slots.resize(std::min(slots.size(), most_kept));
     kept = std::move(slots);
-    cache.sorted = sort_by_cell(cache.vertices, scene.bounds);
+    cache.sorted = weighing == Weighing::tree ? sort_along_curve(cache.vertices, scene.bounds)
+                                              : sort_by_cell(cache.vertices, scene.bounds);
     if (!importance.is_even() && !cache.empty())
         draw_picks(cache, emission.total_flux(), random(pick_path + first, 0));
     cache.records.reserve(cache.size());
     for (const std::uint32_t vertex : cache.sorted)
         cache.records.push_back(record_of(cache, vertex));
-    pack(cache, counts);
+    if (weighing == Weighing::tree)
+        pack_for_tree(cache, counts);
+    else
+        pack(cache, counts);
     return cache;
 }
 

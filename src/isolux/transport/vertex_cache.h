@@ -6,6 +6,7 @@
 
 #include "isolux/transport/light_path.h"
 #include "isolux/transport/vertex_kernel.h"
+#include "isolux/transport/vertex_tree.h"
 
 namespace isolux {
 
@@ -56,6 +57,7 @@ struct VertexCache {
     double carried = 0.0; ///< by all vertices, lm
     double corner = 0.0;  ///< of the counts
     std::vector<CloseVertex> close;
+    VertexTree tree; ///< empty where all vertices are to be weighed
     FluxTally flux;
 
     [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }
@@ -90,6 +92,12 @@ template <class F> void visit_chain(const VertexCache& cache, std::size_t vertex
     }
 }
 
+/// How the vertices of a cache are weighed for a point: METHODS "Shared cache", "Vertex tree".
+enum class Weighing : std::uint8_t {
+    all,  ///< every one of them
+    tree, ///< clusters of them, and single ones nearby: for caches of very many
+};
+
 /// Walks paths [first, first + count) in parallel, each into its own slot.
 [[nodiscard]] VertexCache build_vertex_cache(const Scene& scene,
                                              const Emission& emission,
@@ -98,6 +106,7 @@ template <class F> void visit_chain(const VertexCache& cache, std::size_t vertex
                                              std::size_t count,
                                              const EffectiveCounts& counts,
                                              const PathImportance& importance = {},
-                                             const Roulette& roulette = {});
+                                             const Roulette& roulette = {},
+                                             Weighing weighing = Weighing::all);
 
 } // namespace isolux

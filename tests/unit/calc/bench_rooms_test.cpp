@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "isolux/calc/bench_rooms.h"
+#include "isolux/calc/engine.h"
 
 namespace isolux {
 namespace {
@@ -70,6 +71,25 @@ TEST(BenchRooms, AnEmptyRoomGrowsWithItsPanels) {
     EXPECT_EQ(room.scene.luminaires.size(), 3000U);
     EXPECT_EQ(room.scene.luminaire_types.size(), 1U);
     EXPECT_EQ(room.scene.rooms.front().footprint[2], (Point2{180.0, 150.0}));
+}
+
+/// What the engine says about a task of a fixed number of units.
+std::string plan_of(std::string_view name) {
+    BenchRoom room = make_bench_room(name);
+    const Scene scene = build_scene(std::move(room.scene));
+    Settings settings;
+    settings.fixed_units = 1;
+    Engine engine(scene, settings);
+    std::vector<Receiver> receivers;
+    for (const CalculationSurface& s : room.surfaces)
+        receivers.insert(receivers.end(), s.receivers.begin(), s.receivers.end());
+    engine.prepare(receivers, {});
+    return engine.describe();
+}
+
+TEST(BenchRooms, ShareATreeOfVerticesWhereTheyHaveVeryManyPoints) {
+    EXPECT_NE(plan_of("many-points").find("(in a tree)"), std::string::npos);
+    EXPECT_EQ(plan_of("furnished-office").find("(in a tree)"), std::string::npos);
 }
 
 } // namespace

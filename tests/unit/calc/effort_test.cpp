@@ -108,6 +108,56 @@ TEST(Effort, CostsNoMoreThanItsNeighbours) {
     }
 }
 
+/// A task whose points may share a tree.
+SharedTask tree_task(std::size_t points, double cut) {
+    VarianceModel model{.paths = 3000.0, .draws = 0.5, .directions = 6.0, .light = 100.0};
+    model.relief = relief_of_many;
+    SharedTask task = open_task(model, points);
+    task.costs.tree_path = 900.0;
+    task.costs.cut = cut;
+    task.costs.descent = 150.0;
+    return task;
+}
+
+TEST(Effort, TakesATreeWhereVeryManyPointsShareIt) {
+    constexpr double cut = 1000.0;
+    for (const std::size_t points : {24000U, 1000000U}) {
+        const Effort chosen = choose_effort(tree_task(points, cut)).effort;
+        const Effort balanced = balance_paths(tree_task(points, cut), 8192);
+        EXPECT_EQ(chosen.weighing, Weighing::tree) << points;
+        EXPECT_EQ(balanced.weighing, Weighing::tree) << points;
+        EXPECT_GT(balanced.paths, 16384U) << points;
+        EXPECT_LE(balanced.paths, most_paths_of_a_tree) << points;
+    }
+}
+
+TEST(Effort, WeighsAllForFewPointsAndWhereTheTreeIsDear) {
+    const auto expect_all = [](const SharedTask& task) {
+        EXPECT_EQ(choose_effort(task).effort.weighing, Weighing::all);
+        const Effort balanced = balance_paths(task, 8192);
+        EXPECT_EQ(balanced.weighing, Weighing::all);
+        EXPECT_EQ(balanced.paths, 8192U);
+    };
+    expect_all(tree_task(300, 1000.0));
+    expect_all(tree_task(4095, 1000.0));
+    expect_all(tree_task(24000, 1e6)); // points far apart have no cut in common
+    expect_all(tree_task(24000, 0.0)); // nobody asks for one
+}
+
+TEST(Effort, CountsWhatTheTreeCostsAndVariesBy) {
+    const SharedTask task = tree_task(24000, 1000.0);
+    const PointEffort e{8, 4, 1};
+    const VarianceModel& m = task.models[0];
+    EXPECT_NEAR(m.of(8192, e, Weighing::tree) - m.of(8192, e), 1.5e-3 * m.light / 8.0, 1e-12);
+    EXPECT_DOUBLE_EQ(m.directions_beside(pilot_paths), m.directions);
+    EXPECT_DOUBLE_EQ(m.directions_beside(4 * pilot_paths), 0.5 * m.directions);
+    // by the tree a path costs a point nothing but its share of the walk
+    const UnitCosts& c = task.costs;
+    EXPECT_NEAR(c.of(65536, e, 24000, Weighing::tree) - c.of(32768, e, 24000, Weighing::tree),
+                32768.0 * c.tree_path / 24000.0,
+                1e-6);
+}
+
 TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
     Pilot pilot;
     pilot.points = {30, 30};
