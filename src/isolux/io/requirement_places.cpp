@@ -102,13 +102,11 @@ Places RequirementPlaces::make_places(RequiredArea area) {
     switch (area) {
     case RequiredArea::task:
         return make(room + " work plane", {{"work_plane", std::move(named)}});
-    case RequiredArea::ceiling: {
-        Places ceiling = make(room + " ceiling", {{"ceiling", std::move(named)}});
-        return ceiling;
-    }
+    case RequiredArea::ceiling:
+        return make(room + " ceiling", {{"ceiling", std::move(named)}});
     case RequiredArea::space: {
         named.members.push_back({"height", json_number(seated_head_height)});
-        make(room + " heads, horizontal", {{"work_plane", named}});
+        static_cast<void>(make(room + " heads, horizontal", {{"work_plane", named}}));
         return make(room + " heads",
                     {{"work_plane", std::move(named)}, {"quantity", json_text("cylindrical")}});
     }
