@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <vector>
 
 #include "isolux/transport/direct_light.h"
 
@@ -143,8 +144,9 @@ double UnitCosts::of(std::size_t m,
                      Weighing weighing) const noexcept {
     const auto all = static_cast<double>(std::max<std::size_t>(1, points));
     const auto paths = static_cast<double>(m);
-    const double weighed = weighing == Weighing::tree ? paths * (tree_path / all) + cut
-                                                      : paths * (path / all + pair);
+    const double shared = path_by(weighing) / all;
+    const double weighed =
+        weighing == Weighing::tree ? paths * shared + cut : paths * (shared + pair);
     return weighed + static_cast<double>(e.draws) * draw_by(weighing)
            + static_cast<double>(e.directions) * direction + point;
 }
@@ -176,10 +178,27 @@ UnitCosts make_unit_costs(const Scene& scene,
     c.sample = (chain_length + 0.5) * (next_event + image + 220.0 * depth);
     c.look = c.draw;
     c.point = 150.0;
+    c.vertices = vertices_per_path;
     c.tree_path = 1.4 * c.path; // they no longer fit into the processor's caches
     c.descent = 150.0;
     return c;
 }
+
+namespace {
+
+/// Numbers of paths to try with a tree; none where there is to be none.
+std::vector<std::size_t> paths_of_trees(const SharedTask& task) {
+    std::vector<std::size_t> paths;
+    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
+        for (std::size_t m = fewest_paths_of_a_tree;
+             m <= most_paths_of_a_tree
+             && static_cast<double>(m) * task.costs.vertices <= most_vertices_of_a_tree;
+             m *= 2)
+            paths.push_back(m);
+    return paths;
+}
+
+} // namespace
 
 bool may_take_tree(std::size_t points) noexcept { return points >= fewest_points_of_a_tree; }
 
@@ -199,9 +218,8 @@ EffortChoice choose_effort(const SharedTask& task) {
     };
     for (std::size_t m = fewest_paths; m <= most_paths; m *= 2)
         consider(m, Weighing::all, 1.0);
-    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
-        for (std::size_t m = fewest_paths_of_a_tree; m <= most_paths_of_a_tree; m *= 2)
-            consider(m, Weighing::tree, 1.0 / (1.0 - least_gain));
+    for (const std::size_t m : paths_of_trees(task))
+        consider(m, Weighing::tree, 1.0 / (1.0 - least_gain));
     return best;
 }
 
@@ -217,14 +235,13 @@ Effort balance_paths(const SharedTask& task, std::size_t paths) {
     };
     Effort best = balance_effort(task, paths);
     double least = (1.0 - least_gain) * price(best);
-    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
-        for (std::size_t m = fewest_paths_of_a_tree; m <= most_paths_of_a_tree; m *= 2) {
-            const Effort effort = balance_effort(task, m, Weighing::tree);
-            if (price(effort) < least) {
-                least = price(effort);
-                best = effort;
-            }
+    for (const std::size_t m : paths_of_trees(task)) {
+        const Effort effort = balance_effort(task, m, Weighing::tree);
+        if (price(effort) < least) {
+            least = price(effort);
+            best = effort;
         }
+    }
     return best;
 }
 

@@ -45,8 +45,11 @@ inline constexpr std::size_t fewest_paths = 256;
 inline constexpr std::size_t most_paths = 16384;
 inline constexpr std::size_t most_paths_of_a_tree = 131072;
 
-/// VarianceModel::relief where so many points share light paths that M grows far beyond the
-/// pilot's; measured.
+/// Vertices that a tree may hold, of 200 bytes each; fewer paths then, where they branch.
+inline constexpr double most_vertices_of_a_tree = 1e6;
+
+/// VarianceModel::relief of open points where so many share light paths that M grows far beyond
+/// the pilot's; measured.
 inline constexpr double relief_of_many = 0.5;
 
 inline constexpr std::size_t fewest_draws = 4;
@@ -92,9 +95,14 @@ struct UnitCosts {
     double sample = 0.0;    ///< of one traced path
     double look = 0.0;      ///< of one sample of direct light
     double point = 0.0;     ///< of a point's unit whatever it holds
+    double vertices = 1.0;  ///< no cost: of one light path
     double tree_path = 0.0; ///< of one light path that goes into a tree
     double cut = 0.0;       ///< of the tree's cut at one point; 0: nobody asks for a tree
     double descent = 0.0;   ///< of one draw down the tree, beside its shadow ray
+
+    [[nodiscard]] double path_by(Weighing weighing) const noexcept {
+        return weighing == Weighing::tree ? tree_path : path;
+    }
 
     [[nodiscard]] double draw_by(Weighing weighing) const noexcept {
         return weighing == Weighing::tree ? draw + descent : draw;

@@ -135,8 +135,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         *scene_, pilot_.vertices_per_path, pilot_.chain_length, images_.draws());
     if (may_take_tree(receivers_.size()) && !settings_.direct_only) {
         costs_.cut = find_cost_of_cut(scene, pilot_.importance);
-        for (VarianceModel& model : pilot_.of_class)
-            model.relief = relief_of_many;
+        pilot_.of_class[static_cast<std::size_t>(PointClass::open)].relief = relief_of_many;
     }
     plan_ = make_work_plan(settings_, pilot_, costs_, points);
     effort_ = plan_.effort;
@@ -165,7 +164,8 @@ void Engine::choose_estimators() {
     samples_.assign(receivers_.size(), static_cast<std::uint32_t>(effort_.samples));
     began_.assign(receivers_.size(), unchanged);
     trials_.assign(receivers_.size(), -1.0F);
-    first_unit_cost_ = replicates * static_cast<double>(effort_.paths) * costs_.path;
+    first_unit_cost_ =
+        replicates * static_cast<double>(effort_.paths) * costs_.path_by(effort_.weighing);
     for (std::size_t i = 0; i < receivers_.size(); ++i)
         first_unit_cost_ += replicates * own_cost(i);
     for (std::size_t i = 0; i < receivers_.size(); ++i)

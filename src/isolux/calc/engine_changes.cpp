@@ -65,7 +65,8 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
         return next;
     constexpr auto runs = static_cast<double>(replicates);
     constexpr double never = 1e300; // ns
-    const double paths_cost = runs * static_cast<double>(effort_.paths) * costs_.path;
+    const double paths_cost =
+        runs * static_cast<double>(effort_.paths) * costs_.path_by(effort_.weighing);
     const double work = static_cast<double>(units) * first_unit_cost_; // so far
     std::vector<OpenPoint> points;
     std::vector<Finish> finishes;
@@ -146,7 +147,7 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
 /// Of one unit of LE-MIS at one receiver in one replicate, without the light paths, ns.
 double Engine::own_cost(std::size_t receiver) const noexcept {
     return costs_.of(effort_.paths, effort_of(receiver), 1, effort_.weighing)
-           - static_cast<double>(effort_.paths) * costs_.path;
+           - static_cast<double>(effort_.paths) * costs_.path_by(effort_.weighing);
 }
 
 /// Traces a few paths from points to learn what they vary by. Nothing where `worth`, ns, does

@@ -144,6 +144,14 @@ TEST(Effort, WeighsAllForFewPointsAndWhereTheTreeIsDear) {
     expect_all(tree_task(24000, 0.0)); // nobody asks for one
 }
 
+TEST(Effort, KeepsATreeWithinItsMemory) {
+    SharedTask task = tree_task(1000000, 1000.0);
+    task.costs.vertices = 20.0; // branches
+    const Effort e = balance_paths(task, 8192);
+    EXPECT_EQ(e.weighing, Weighing::tree);
+    EXPECT_LE(static_cast<double>(e.paths) * task.costs.vertices, most_vertices_of_a_tree);
+}
+
 TEST(Effort, CountsWhatTheTreeCostsAndVariesBy) {
     const SharedTask task = tree_task(24000, 1000.0);
     const PointEffort e{8, 4, 1};
@@ -156,6 +164,12 @@ TEST(Effort, CountsWhatTheTreeCostsAndVariesBy) {
     EXPECT_NEAR(c.of(65536, e, 24000, Weighing::tree) - c.of(32768, e, 24000, Weighing::tree),
                 32768.0 * c.tree_path / 24000.0,
                 1e-6);
+    // ... so what a point costs alone, without the paths, does not depend on them
+    const auto own = [&](std::size_t m) {
+        return c.of(m, e, 1, Weighing::tree)
+               - static_cast<double>(m) * c.path_by(Weighing::tree);
+    };
+    EXPECT_NEAR(own(65536), own(4096), 1e-6);
 }
 
 TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
