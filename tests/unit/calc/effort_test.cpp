@@ -49,7 +49,7 @@ TEST(Effort, StaysWithinItsBoundsAndPowersOfTwo) {
              {std::tuple{c.effort.paths, fewest_paths, most_paths},
               std::tuple{c.effort.at[0].draws, fewest_draws, most_draws},
               std::tuple{c.effort.at[0].directions, std::size_t{1}, most_directions},
-              std::tuple{c.effort.at[0].looks, std::size_t{1}, std::size_t{4}},
+              std::tuple{c.effort.at[0].looks, std::size_t{1}, std::size_t{16}},
               std::tuple{c.units, std::size_t{1}, most_units}}) {
             EXPECT_TRUE(std::has_single_bit(value));
             EXPECT_GE(value, least);
@@ -165,9 +165,9 @@ TEST(Effort, CountsWhatTheTreeCostsAndVariesBy) {
                 32768.0 * c.tree_path / 24000.0,
                 1e-6);
     // ... so what a point costs alone, without the paths, does not depend on them
-    const auto own = [&](std::size_t m) {
-        return c.of(m, e, 1, Weighing::tree)
-               - static_cast<double>(m) * c.path_by(Weighing::tree);
+    const auto own = [&](std::size_t paths) {
+        return c.of(paths, e, 1, Weighing::tree)
+               - static_cast<double>(paths) * c.path_by(Weighing::tree);
     };
     EXPECT_NEAR(own(65536), own(4096), 1e-6);
 }
