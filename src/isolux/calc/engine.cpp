@@ -133,7 +133,10 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     pilot_ = run_pilot(scene, target);
     costs_ = make_unit_costs(
         *scene_, pilot_.vertices_per_path, pilot_.chain_length, images_.draws());
-    if (may_take_tree(receivers_.size()) && !settings_.direct_only) {
+    const bool shares_paths = settings_.estimator == Estimator::automatic
+                              || settings_.estimator == Estimator::local_estimation
+                              || settings_.estimator == Estimator::local_estimation_mis;
+    if (may_take_tree(receivers_.size()) && shares_paths && !settings_.direct_only) {
         costs_.cut = find_cost_of_cut(scene, pilot_.importance);
         pilot_.of_class[static_cast<std::size_t>(PointClass::open)].relief = relief_of_many;
     }

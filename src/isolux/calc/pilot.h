@@ -58,7 +58,7 @@ struct Pilot {
 [[nodiscard]] Pilot run_pilot(const PilotScene& task, const PilotTarget& target);
 
 /// What cutting a tree and weighing what comes of it costs a point, ns (UnitCosts::cut): the
-/// tree of a few thousand paths is cut for some of the task's tiles.
+/// tree of 16384 paths is cut for some of the task's tiles. 0: no tree.
 [[nodiscard]] double find_cost_of_cut(const PilotScene& task, const PathImportance& importance);
 
 /// What a trial of path tracing found at a receiver.

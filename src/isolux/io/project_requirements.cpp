@@ -39,7 +39,9 @@ public:
                  *standard, *row, modified ? RowLevel::modified : RowLevel::required))
             if (std::ranges::find(left_out, to_word(r.area)) == left_out.end())
                 add(r);
-        observers_.check_use(row->id);
+        observers_.check_use(row->id,
+                             std::ranges::find(left_out, to_word(RequiredArea::observers))
+                                 != left_out.end());
     }
 
 private:

@@ -55,13 +55,14 @@ std::vector<std::size_t> RequirementObservers::of(const Requirement& r, const Ro
     return named_.empty() ? find_observers(r, scale) : observers_by_name(r, scale);
 }
 
-void RequirementObservers::check_use(const std::string& row) const {
-    if (!named_.empty() && !are_asked_)
-        entry_.find("observers")
-            ->notice(fmt::format("nobody is judged at these observers (row {} limits no glare "
-                                 "here)",
-                                 row),
-                     "Leave \"observers\" out?");
+void RequirementObservers::check_use(const std::string& row, bool are_left_out) const {
+    if (named_.empty() || are_asked_)
+        return;
+    const std::string why = are_left_out ? "\"leave_out\" leaves them out"
+                                         : fmt::format("row {} limits no glare", row);
+    entry_.find("observers")
+        ->notice(fmt::format("nobody is judged at these observers ({})", why),
+                 "Leave \"observers\" out?");
 }
 
 std::vector<std::size_t> RequirementObservers::observers_by_name(const Requirement& r,

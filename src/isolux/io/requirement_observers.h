@@ -24,7 +24,8 @@ public:
 
     /// A notice where observers are named that nothing is judged at. @param row  of the
     /// standard
-    void check_use(const std::string& row) const;
+    /// @param are_left_out  by the entry itself
+    void check_use(const std::string& row, bool are_left_out) const;
 
 private:
     [[nodiscard]] std::vector<std::size_t> observers_by_name(const Requirement& r,

@@ -189,7 +189,8 @@ void weigh(const RowView& v, const KernelReceiver& p, float* u) noexcept {
                     hn::Div(hn::Sub(hn::Div(hn::Mul(hn::Set(d, 7.5F), along_ray), d2),
                                     hn::Mul(hn::Set(d, 1.5F), spread)),
                             d2);
-                numerator = hn::MulAdd(numerator, bend, numerator);
+                numerator = hn::Max(hn::Mul(hn::Set(d, 0.5F), numerator),
+                                    hn::MulAdd(numerator, bend, numerator));
             }
         }
         if constexpr (weighting == Weighting::balanced)

@@ -18,7 +18,7 @@ struct LitPlace {
 /// One vertex of a cache and how many times its light counts.
 struct ChosenVertex {
     std::size_t vertex = 0;
-    double share = 0.0; ///< 1/(probability x paths)
+    double share = 0.0; ///< W/M of METHODS eq. (139)
 };
 
 /// So many vertices are looked at for each that is chosen.

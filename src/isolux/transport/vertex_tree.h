@@ -49,7 +49,7 @@ struct VertexTree {
 
     static constexpr std::size_t leaf = 16;  ///< vertices of a cluster of level 0
     static constexpr std::size_t forks = 4;  ///< clusters of the level below
-    static constexpr std::size_t roots = 64; ///< no more rows than that in the highest level
+    static constexpr std::size_t roots = 64; ///< no more clusters than that in the highest level
 };
 
 /// Numbers of the vertices in an order in which runs of any length are compact: by the way they

@@ -221,8 +221,22 @@ TEST(ObserversOfRequirements, AreNotNamedInVain) {
     EXPECT_THAT(judged_at(keys, pupils, &notices), IsEmpty());
     ASSERT_EQ(notices.size(), 1U);
     EXPECT_EQ(to_string(notices[0]),
-              "p.json:6: #/requirements/0/observers: nobody is judged at these observers (row "
-              "44.1 limits no glare here). Leave \"observers\" out?");
+              "p.json:6: #/requirements/0/observers: nobody is judged at these observers "
+              "(\"leave_out\" leaves them out). Leave \"observers\" out?");
+}
+
+TEST(ObserversOfRequirements, AreNotNamedWhereTheRowLimitsNoGlare) {
+    const Project p = parse_project(
+        small_project(
+            {{"observers", pupils},
+             {"surfaces", desk},
+             {"requirements",
+              R"([{"standard": "EN 1838", "row": "route-centre", "area": "desk", "observers": "teacher"}])"}}),
+        "p.json");
+    ASSERT_EQ(p.notices.size(), 1U);
+    EXPECT_THAT(
+        to_string(p.notices[0]),
+        HasSubstr("nobody is judged at these observers (row route-centre limits no glare)"));
 }
 
 TEST(ObserversOfRequirements, MustExistAndBeOfTheScale) {

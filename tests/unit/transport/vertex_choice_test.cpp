@@ -144,6 +144,14 @@ TEST(VertexChoice, LeavesNearVerticesOut) {
     for (const PathVertex& v : c.vertices)
         near += length_squared(v.position - o.place.at) < 1.5 * 1.5 ? 1U : 0U;
     ASSERT_GT(near, 20U);
+    const RandomStream random(12, StreamPurpose::test, 0);
+    for (std::size_t i = 0; i < 20000; ++i) {
+        const auto v = choose_vertex(c, o.place, random.uniform(i, 0), random.uniform(i, 1));
+        if (!v)
+            continue;
+        ASSERT_GE(length_squared(c.vertices[v->vertex].position - o.place.at),
+                  0.999 * 1.5 * 1.5);
+    }
     const Mean m = mean_over_choices(c, o.place);
     EXPECT_LT(std::abs(m.value - exact(c, o.place)), limit * m.standard_error);
 }
