@@ -152,21 +152,19 @@ TEST(GuidedPaths, ArePickedByWhatTheyCarry) {
     EXPECT_GT(highest, 10.0 * lowest); // or nothing is tested
     const std::size_t n = c.picks.size();
     ASSERT_GT(n, 1000U);
-    double sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-        const std::size_t v =
-            c.sorted[c.draw((static_cast<double>(k) + 0.5) / static_cast<double>(n))];
-        sum += c.share_of(v) * c.vertices[v].carried / static_cast<double>(n);
-    }
-    EXPECT_NEAR(sum, c.carried / 2048.0, 1e-9 * sum);
-    // Each as often as it carries, up to one: systematic draws.
+    // Each as often as it carries, up to one: systematic draws. A draw gives any pick.
     std::vector<std::size_t> times(c.vertices.size(), 0);
-    for (const std::uint32_t place : c.picks)
-        ++times[c.sorted[place]];
+    for (std::size_t k = 0; k < n; ++k)
+        ++times[c.draw((static_cast<double>(k) + 0.5) / static_cast<double>(n))];
     for (std::size_t v = 0; v < times.size(); ++v)
         EXPECT_LT(std::abs(static_cast<double>(times[v])
                            - static_cast<double>(n) * c.vertices[v].carried / c.carried),
                   1.0);
+    // share_of() is one over paths and probability: all vertices together are one path's.
+    double sum = 0.0;
+    for (std::size_t v = 0; v < times.size(); ++v)
+        sum += c.vertices[v].carried / c.carried * c.share_of(v);
+    EXPECT_NEAR(sum, static_cast<double>(times.size()) / 2048.0, 1e-9 * sum);
 }
 
 TEST(GuidedPaths, AreNotWantedWhereNoPointIsDark) {

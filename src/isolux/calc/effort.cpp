@@ -116,6 +116,21 @@ double cost_with_units(const Outcome& o) {
     return std::exp2(doublings) * o.cost * (1.0 + price_of_doubling * doublings);
 }
 
+/// Numbers of paths to try with a tree; none where there is to be none.
+std::vector<std::size_t> paths_of_trees(const SharedTask& task) {
+    std::vector<std::size_t> paths;
+    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
+        for (std::size_t m = fewest_paths_of_a_tree;
+             m <= most_paths_of_a_tree
+             && static_cast<double>(m) * task.costs.vertices <= most_vertices_of_a_tree;
+             m *= 2)
+            paths.push_back(m);
+    return paths;
+}
+
+/// What a variance of 1 costs.
+double price_of(const Outcome& o) { return o.variance * o.cost; }
+
 } // namespace
 
 double VarianceModel::draws_by(Weighing weighing) const noexcept {
@@ -184,22 +199,6 @@ UnitCosts make_unit_costs(const Scene& scene,
     return c;
 }
 
-namespace {
-
-/// Numbers of paths to try with a tree; none where there is to be none.
-std::vector<std::size_t> paths_of_trees(const SharedTask& task) {
-    std::vector<std::size_t> paths;
-    if (task.costs.cut > 0.0 && may_take_tree(task.all()))
-        for (std::size_t m = fewest_paths_of_a_tree;
-             m <= most_paths_of_a_tree
-             && static_cast<double>(m) * task.costs.vertices <= most_vertices_of_a_tree;
-             m *= 2)
-            paths.push_back(m);
-    return paths;
-}
-
-} // namespace
-
 bool may_take_tree(std::size_t points) noexcept { return points >= fewest_points_of_a_tree; }
 
 EffortChoice choose_effort(const SharedTask& task) {
@@ -224,21 +223,16 @@ EffortChoice choose_effort(const SharedTask& task) {
 }
 
 Effort balance_effort(const SharedTask& task, std::size_t paths, Weighing weighing) {
-    return best_effort(
-        task, paths, weighing, [](const Outcome& o) { return o.variance * o.cost; });
+    return best_effort(task, paths, weighing, price_of);
 }
 
 Effort balance_paths(const SharedTask& task, std::size_t paths) {
-    const auto price = [&](const Effort& effort) {
-        const Outcome o = outcome_of(task, effort);
-        return o.variance * o.cost;
-    };
     Effort best = balance_effort(task, paths);
-    double least = (1.0 - least_gain) * price(best);
+    double least = (1.0 - least_gain) * price_of(outcome_of(task, best));
     for (const std::size_t m : paths_of_trees(task)) {
         const Effort effort = balance_effort(task, m, Weighing::tree);
-        if (price(effort) < least) {
-            least = price(effort);
+        if (const double price = price_of(outcome_of(task, effort)); price < least) {
+            least = price;
             best = effort;
         }
     }

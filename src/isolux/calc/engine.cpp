@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "isolux/base/parallel.h"
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/walk_front.h"
@@ -56,14 +54,6 @@ Point3 moved_off(const Receiver& receiver, const SurfaceDistances& d) noexcept {
         return receiver.point;
     const bool looks_back = receiver.kind != IlluminanceKind::mean_spherical && along < -1e-6;
     return receiver.point + (looks_back ? -clear : clear) * Vector3(d.nearest_normal);
-}
-
-std::string in_millimetres(double metres) {
-    std::string text = std::to_string(1e3 * metres);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.')
-        text.pop_back();
-    return text + " mm";
 }
 
 } // namespace
@@ -133,10 +123,10 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     pilot_ = run_pilot(scene, target);
     costs_ = make_unit_costs(
         *scene_, pilot_.vertices_per_path, pilot_.chain_length, images_.draws());
-    const bool shares_paths = settings_.estimator == Estimator::automatic
-                              || settings_.estimator == Estimator::local_estimation
-                              || settings_.estimator == Estimator::local_estimation_mis;
-    if (may_take_tree(receivers_.size()) && shares_paths && !settings_.direct_only) {
+    const bool connects_to_paths = !settings_.direct_only
+                                   && settings_.estimator != Estimator::path_tracing
+                                   && !StudyEstimators::serves(settings_.estimator);
+    if (connects_to_paths && may_take_tree(receivers_.size())) {
         costs_.cut = find_cost_of_cut(scene, pilot_.importance);
         pilot_.of_class[static_cast<std::size_t>(PointClass::open)].relief = relief_of_many;
     }
@@ -422,69 +412,6 @@ void Engine::estimate_direct(std::size_t index,
              k += result.size())
             by_source[k] = 0.0;
     }
-}
-
-std::string Engine::describe() const {
-    const auto count = [&](PointEstimator e) {
-        return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
-    };
-    // "64 (open), 128 (at edges)", for the classes that there are
-    const auto by_class = [&](std::size_t PointEffort::*what) {
-        constexpr ByClass<const char*> names{"open", "near surfaces", "close", "at edges"};
-        std::string text;
-        for (std::size_t c = 0; c < point_classes; ++c)
-            if (std::count(classes_.begin(), classes_.end(), PointClass(c)) > 0)
-                text += fmt::format(
-                    "{}{} ({})", text.empty() ? "" : ", ", effort_.at[c].*what, names[c]);
-        return text.empty() ? "none" : text;
-    };
-    const std::string text =
-        fmt::format("light paths per replicate and unit: {}{}, shadow rays a point: {}",
-                    effort_.paths,
-                    effort_.weighing == Weighing::tree ? " (in a tree)" : "",
-                    by_class(&PointEffort::draws));
-    switch (settings_.estimator) {
-    case Estimator::local_estimation:
-        return "local estimation; " + text;
-    case Estimator::path_tracing:
-        return fmt::format(
-            "path tracing from the points; paths a point, replicate and unit: {}",
-            effort_.samples);
-    case Estimator::photometer_head:
-        return "local estimation at a photometer head of radius "
-               + in_millimetres(settings_.photometer_head_radius) + "; " + text;
-    case Estimator::bounded:
-        return "local estimation with a bounded kernel and its compensation; " + text;
-    case Estimator::bidirectional:
-        return "bidirectional path tracing from the points";
-    default: {
-        const std::string pilot = describe_advantage(plan_);
-        return fmt::format(
-            "local estimation with one gather bounce ({} points{}), path tracing "
-            "({} points); {}, gather rays: {}",
-            count(PointEstimator::mis),
-            pilot.empty() ? "" : "; " + pilot,
-            count(PointEstimator::path_tracing),
-            text,
-            by_class(&PointEffort::directions));
-    }
-    }
-}
-
-std::vector<Message> Engine::notices() const {
-    if (settings_.estimator != Estimator::photometer_head)
-        return {};
-    std::string text = "reflected light is the mean over a photometer head of radius "
-                       + in_millimetres(settings_.photometer_head_radius)
-                       + ", not the value at the point (the difference is r^2/8 times the "
-                         "Laplacian of E)";
-    if (study_.cut_heads() > 0)
-        text += "; points whose head an edge cuts, where it grows like r: "
-                + std::to_string(study_.cut_heads());
-    if (study_.without_head() > 0)
-        text += "; points that are no planes and have no head: "
-                + std::to_string(study_.without_head());
-    return {{"calculation", text, "For values at the points take another estimator"}};
 }
 
 } // namespace isolux

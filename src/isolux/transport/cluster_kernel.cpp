@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include "isolux/base/check.h"
 #include "isolux/transport/vertex_tree.h"
@@ -12,50 +11,15 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "isolux/transport/vertex_terms.inl"
+
 HWY_BEFORE_NAMESPACE();
 
 namespace isolux {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
 constexpr std::size_t lanes = ClusterRow::size;
-
-/// Squared distance below which a vertex and a receiver count as touching, m2.
-constexpr float least_distance_squared = 1e-12F;
-
-/// Where the values of a row lie; `spread` is null for single vertices.
-struct RowView {
-    const float *x, *y, *z, *nx, *ny, *nz, *strength, *rival;
-    const ClusterRow* spread;
-};
-
-RowView view(const ClusterRow& r) noexcept {
-    return {r.x.data(),
-            r.y.data(),
-            r.z.data(),
-            r.nx.data(),
-            r.ny.data(),
-            r.nz.data(),
-            r.strength.data(),
-            r.rival.data(),
-            &r};
-}
-
-RowView view(const VertexBlock& b, std::size_t row) noexcept {
-    const std::size_t i = VertexBlock::columns * row;
-    return {b.x.data() + i,
-            b.y.data() + i,
-            b.z.data() + i,
-            b.nx.data() + i,
-            b.ny.data() + i,
-            b.nz.data() + i,
-            b.strength.data() + i,
-            b.rival.data() + i,
-            nullptr};
-}
 
 /// P of METHODS eq. (137): the most that the positive part of something of this mean and
 /// variance can have as its mean.
@@ -79,126 +43,115 @@ template <class D, class V = hn::Vec<D>> V part_ahead(D d, V mean, V deviation) 
     return hn::Max(hn::Max(mean, evenly), hn::Mul(hn::Set(d, 0.125F), most));
 }
 
-/// One row and one receiver, lane by lane the same arithmetic for any width of the registers.
-template <IlluminanceKind kind, Weighting weighting, bool has_spread>
-void weigh(const RowView& v, const KernelReceiver& p, float* u) noexcept {
+/// Standard deviations of the place along the axes, and what follows from them.
+template <class V> struct Spread {
+    V sx, sy, sz;
+    V variance;  ///< of the place
+    V along_ray; ///< that along the way, times the distance squared
+    V axis_ray;  ///< covariance of axis and way, times the distance
+};
+
+template <class D, class V = hn::Vec<D>>
+Spread<V> spread_of(D d,
+                    const ClusterRow& r,
+                    std::size_t i,
+                    const KernelReceiver& p,
+                    const Way<V>& w) noexcept {
+    Spread<V> s;
+    s.sx = hn::Load(d, r.sx.data() + i);
+    s.sy = hn::Load(d, r.sy.data() + i);
+    s.sz = hn::Load(d, r.sz.data() + i);
+    const V qx = hn::Mul(s.sx, s.sx), qy = hn::Mul(s.sy, s.sy), qz = hn::Mul(s.sz, s.sz);
+    s.variance = hn::Add(hn::Add(qx, qy), qz);
+    const V ex = hn::Mul(qx, w.x), ey = hn::Mul(qy, w.y), ez = hn::Mul(qz, w.z);
+    s.along_ray = dot(ex, ey, ez, w.x, w.y, w.z);
+    s.axis_ray =
+        dot(hn::Set(d, p.axis[0]), hn::Set(d, p.axis[1]), hn::Set(d, p.axis[2]), ex, ey, ez);
+    return s;
+}
+
+/// B of METHODS eq. (137): the positive part of the cosine at the vertices, times the distance.
+template <class D, class V = hn::Vec<D>>
+V cosine_of(D d, const ClusterRow& r, std::size_t i, const Way<V>& w) noexcept {
+    const V mean = dot(hn::Load(d, r.nx.data() + i),
+                       hn::Load(d, r.ny.data() + i),
+                       hn::Load(d, r.nz.data() + i),
+                       w.x,
+                       w.y,
+                       w.z);
+    const V deviation = hn::MulAdd(
+        hn::Load(d, r.wobble.data() + i), hn::Sqrt(w.square), hn::Load(d, r.depth.data() + i));
+    return positive_part(
+        d, hn::Sub(mean, hn::Load(d, r.lean.data() + i)), hn::Mul(deviation, deviation));
+}
+
+/// What `value` becomes where it bends by so much within the cluster, to second order: no less
+/// than half.
+template <class D, class V = hn::Vec<D>> V bent(D d, V value, V by) noexcept {
+    return hn::Max(hn::Mul(hn::Set(d, 0.5F), value), hn::Add(value, by));
+}
+
+/// A of METHODS eq. (137), for planes.
+template <class D, class V = hn::Vec<D>>
+V ahead_of(D d,
+           const ClusterRow& r,
+           std::size_t i,
+           const KernelReceiver& p,
+           const Way<V>& w,
+           const Spread<V>& s) noexcept {
+    const V fx = hn::Set(d, std::abs(p.axis[0]));
+    const V fy = hn::Set(d, std::abs(p.axis[1]));
+    const V fz = hn::Set(d, std::abs(p.axis[2]));
+    const V reach = dot(fx,
+                        fy,
+                        fz,
+                        hn::Load(d, r.hx.data() + i),
+                        hn::Load(d, r.hy.data() + i),
+                        hn::Load(d, r.hz.data() + i));
+    const V deviation = dot(fx, fy, fz, s.sx, s.sy, s.sz);
+    const V ahead = hn::IfThenElse(hn::Lt(hn::Abs(w.ahead), reach),
+                                   part_ahead(d, w.ahead, deviation),
+                                   hn::Max(hn::Zero(d), w.ahead));
+    const V share = hn::Sub(hn::Div(hn::Mul(hn::Set(d, 12.0F), s.along_ray), w.square),
+                            hn::Add(s.variance, s.variance));
+    const V bend = hn::MulAdd(ahead, share, hn::Mul(hn::Set(d, 4.0F), s.axis_ray));
+    return bent(d, ahead, hn::Div(bend, w.square));
+}
+
+/// A row of clusters and one receiver, METHODS eq. (137).
+template <IlluminanceKind kind, Weighting weighting>
+void weigh_row(const ClusterRow& r, const KernelReceiver& p, float* u) noexcept {
     const hn::CappedTag<float, lanes> d;
     using V = hn::Vec<decltype(d)>;
-    const V zero = hn::Zero(d);
     for (std::size_t i = 0; i < lanes; i += hn::Lanes(d)) {
-        // from the vertex to the receiver
-        const V dx = hn::Sub(hn::Set(d, p.at[0]), hn::LoadU(d, v.x + i));
-        const V dy = hn::Sub(hn::Set(d, p.at[1]), hn::LoadU(d, v.y + i));
-        const V dz = hn::Sub(hn::Set(d, p.at[2]), hn::LoadU(d, v.z + i));
-        const V d2 = hn::Max(hn::Set(d, least_distance_squared),
-                             hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))));
-        // distance times the cosine at the vertex, and along the receiver's axis
-        V cv = hn::MulAdd(
-            hn::LoadU(d, v.nx + i),
-            dx,
-            hn::MulAdd(hn::LoadU(d, v.ny + i), dy, hn::Mul(hn::LoadU(d, v.nz + i), dz)));
-        const V ca = hn::MulAdd(
-            hn::Set(d, -p.axis[0]),
-            dx,
-            hn::MulAdd(hn::Set(d, -p.axis[1]), dy, hn::Mul(hn::Set(d, -p.axis[2]), dz)));
-        V sx = zero, sy = zero, sz = zero; // standard deviations
-        // of the place: variance, that along d times d2, covariance of axis and d times d
-        V spread = zero, along_ray = zero, across_axis = zero;
-        if constexpr (has_spread) {
-            sx = hn::LoadU(d, v.spread->sx.data() + i);
-            sy = hn::LoadU(d, v.spread->sy.data() + i);
-            sz = hn::LoadU(d, v.spread->sz.data() + i);
-            const V qx = hn::Mul(sx, sx), qy = hn::Mul(sy, sy), qz = hn::Mul(sz, sz);
-            spread = hn::Add(hn::Add(qx, qy), qz);
-            const V ex = hn::Mul(qx, dx), ey = hn::Mul(qy, dy), ez = hn::Mul(qz, dz);
-            along_ray = hn::MulAdd(ex, dx, hn::MulAdd(ey, dy, hn::Mul(ez, dz)));
-            across_axis = hn::MulAdd(
-                hn::Set(d, p.axis[0]),
-                ex,
-                hn::MulAdd(hn::Set(d, p.axis[1]), ey, hn::Mul(hn::Set(d, p.axis[2]), ez)));
-            const V deviation = hn::MulAdd(hn::LoadU(d, v.spread->wobble.data() + i),
-                                           hn::Sqrt(d2),
-                                           hn::LoadU(d, v.spread->depth.data() + i));
-            cv = positive_part(d,
-                               hn::Sub(cv, hn::LoadU(d, v.spread->lean.data() + i)),
-                               hn::Mul(deviation, deviation));
-        } else {
-            cv = hn::Max(zero, cv);
-        }
-        const auto positive = [&](V mean) {
-            if constexpr (has_spread)
-                return positive_part(d, mean, hn::Mul(hn::Set(d, 4.0F), spread));
-            else
-                return hn::Max(zero, mean);
-        };
-        // METHODS eq. (60), (137): strength numerator / (denominator + rival shared)
-        V numerator, denominator, shared;
+        const Way<V> w = way_to(d, p, r.x.data() + i, r.y.data() + i, r.z.data() + i);
+        const Spread<V> s = spread_of(d, r, i, p, w);
+        const V cosine = cosine_of(d, r, i, w);
+        Terms<V> t;
         if constexpr (kind == IlluminanceKind::planar) {
-            V ahead = hn::Max(zero, ca);
-            if constexpr (has_spread) {
-                const V fx = hn::Set(d, std::abs(p.axis[0]));
-                const V fy = hn::Set(d, std::abs(p.axis[1]));
-                const V fz = hn::Set(d, std::abs(p.axis[2]));
-                const auto load = [&](const ClusterRow::Values& values) {
-                    return hn::Load(d, values.data() + i);
-                };
-                const V reach = hn::MulAdd(
-                    fx,
-                    load(v.spread->hx),
-                    hn::MulAdd(fy, load(v.spread->hy), hn::Mul(fz, load(v.spread->hz))));
-                const V deviation = hn::MulAdd(fx, sx, hn::MulAdd(fy, sy, hn::Mul(fz, sz)));
-                ahead = hn::IfThenElse(
-                    hn::Lt(hn::Abs(ca), reach), part_ahead(d, ca, deviation), ahead);
-                // what curves within the cluster, to second order
-                const V bend = hn::Div(
-                    hn::MulAdd(ahead,
-                               hn::Sub(hn::Div(hn::Mul(hn::Set(d, 12.0F), along_ray), d2),
-                                       hn::Add(spread, spread)),
-                               hn::Mul(hn::Set(d, 4.0F), across_axis)),
-                    d2);
-                ahead = hn::Max(hn::Mul(hn::Set(d, 0.5F), ahead), hn::Add(ahead, bend));
-            }
-            numerator = hn::Mul(ahead, cv);
-            denominator = hn::Mul(d2, d2);
-            shared = numerator;
+            t = terms_of_plane(d, w, ahead_of(d, r, i, p, w, s), cosine);
         } else {
-            const V distance = hn::Sqrt(d2);
-            denominator = hn::Mul(d2, distance);
-            shared = hn::Mul(hn::Set(d, 0.25F), cv);
-            V response = hn::Set(d, 0.25F);
-            if constexpr (kind == IlluminanceKind::hemispherical)
-                response =
-                    hn::Mul(response, hn::Div(positive(hn::Add(distance, ca)), distance));
-            if constexpr (kind == IlluminanceKind::cylindrical
-                          || kind == IlluminanceKind::semi_cylindrical) {
-                V side = hn::Sqrt(hn::Add(spread, hn::Max(zero, hn::NegMulAdd(ca, ca, d2))));
-                if constexpr (kind == IlluminanceKind::semi_cylindrical) {
-                    const V along =
-                        hn::MulAdd(hn::Set(d, -p.across[0]),
-                                   dx,
-                                   hn::MulAdd(hn::Set(d, -p.across[1]),
-                                              dy,
-                                              hn::Mul(hn::Set(d, -p.across[2]), dz)));
-                    side = positive(hn::Add(side, along));
-                }
-                response = hn::Div(hn::Mul(hn::Set(d, inverse_pi), side), distance);
-            }
-            numerator = hn::Mul(response, cv);
-            if constexpr (has_spread) {
-                const V bend =
-                    hn::Div(hn::Sub(hn::Div(hn::Mul(hn::Set(d, 7.5F), along_ray), d2),
-                                    hn::Mul(hn::Set(d, 1.5F), spread)),
-                            d2);
-                numerator = hn::Max(hn::Mul(hn::Set(d, 0.5F), numerator),
-                                    hn::MulAdd(numerator, bend, numerator));
-            }
+            t = terms_of_body<kind>(d, p, w, cosine, s.variance, [&](V mean) {
+                return positive_part(d, mean, hn::Mul(hn::Set(d, 4.0F), s.variance));
+            });
+            const V share = hn::Sub(hn::Div(hn::Mul(hn::Set(d, 7.5F), s.along_ray), w.square),
+                                    hn::Mul(hn::Set(d, 1.5F), s.variance));
+            t.numerator = bent(d, t.numerator, hn::Mul(t.numerator, hn::Div(share, w.square)));
         }
-        if constexpr (weighting == Weighting::balanced)
-            denominator = hn::MulAdd(
-                hn::LoadU(d, v.rival + i), hn::Mul(hn::Set(d, p.rays), shared), denominator);
         hn::StoreU(
-            hn::Div(hn::Mul(hn::LoadU(d, v.strength + i), numerator), denominator), d, u + i);
+            weigh<weighting>(d, p, t, r.strength.data() + i, r.rival.data() + i), d, u + i);
     }
+}
+
+/// A row of single vertices.
+template <IlluminanceKind kind, Weighting weighting>
+void weigh_row(const VertexBlock& b,
+               std::size_t row,
+               const KernelReceiver& p,
+               float* u) noexcept {
+    const hn::CappedTag<float, lanes> d;
+    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d))
+        hn::StoreU(weigh_vertices_at<kind, weighting>(d, b, lanes * row + i, p), d, u + i);
 }
 
 /// In the same order for any width of the registers.
@@ -210,97 +163,66 @@ float sum_of(const float* u) noexcept {
 }
 
 /// Rows outside, receivers inside: a row stays in the nearest cache for all of them.
-struct CutJob {
-    std::span<const ClusterRow> clusters;
-    std::span<const VertexBlock> blocks;
-    std::span<const std::uint32_t> leaves;
-    std::span<const KernelReceiver> receivers;
-    float* u;
-    float* sums;
-
-    template <IlluminanceKind kind, Weighting weighting> void run() const noexcept {
-        for (std::size_t r = 0; r < clusters.size(); ++r)
-            weigh_row<kind, weighting, true>(view(clusters[r]), r);
-        for (std::size_t i = 0; i < leaves.size(); ++i)
-            weigh_row<kind, weighting, false>(view(blocks[leaves[i] / VertexBlock::most_rows],
-                                                   leaves[i] % VertexBlock::most_rows),
-                                              clusters.size() + i);
-    }
-
-private:
-    template <IlluminanceKind kind, Weighting weighting, bool has_spread>
-    void weigh_row(const RowView& row, std::size_t number) const noexcept {
-        const std::size_t rows = clusters.size() + leaves.size();
-        for (std::size_t p = 0; p < receivers.size(); ++p) {
-            const std::size_t place = p * rows + number;
-            weigh<kind, weighting, has_spread>(row, receivers[p], u + place * lanes);
-            sums[place] = sum_of(u + place * lanes);
+template <IlluminanceKind kind, Weighting weighting> void run(const CutTask& t) noexcept {
+    const std::size_t rows = t.clusters.size() + t.leaves.size();
+    for (std::size_t r = 0; r < rows; ++r)
+        for (std::size_t p = 0; p < t.receivers.size(); ++p) {
+            const std::size_t place = p * rows + r;
+            float* u = t.u.data() + place * lanes;
+            if (r < t.clusters.size()) {
+                weigh_row<kind, weighting>(t.clusters[r], t.receivers[p], u);
+            } else {
+                const std::uint32_t leaf = t.leaves[r - t.clusters.size()];
+                weigh_row<kind, weighting>(t.blocks[leaf / VertexBlock::most_rows],
+                                           leaf % VertexBlock::most_rows,
+                                           t.receivers[p],
+                                           u);
+            }
+            t.sums[place] = sum_of(u);
         }
-    }
-};
+}
 
-struct RowJob {
-    std::span<const RowTask> tasks;
-    std::span<const KernelReceiver> receivers;
-    float* u;
-
-    template <IlluminanceKind kind, Weighting weighting> void run() const noexcept {
-        for (std::size_t t = 0; t < tasks.size(); ++t) {
-            const RowTask& task = tasks[t];
-            const KernelReceiver& p = receivers[task.receiver];
-            if (task.clusters != nullptr)
-                weigh<kind, weighting, true>(view(*task.clusters), p, u + t * lanes);
-            else
-                weigh<kind, weighting, false>(view(*task.block, task.row), p, u + t * lanes);
-        }
-    }
-};
-
-template <Weighting weighting, class Job>
-void run_kind(IlluminanceKind kind, const Job& job) noexcept {
-    switch (kind) {
-    case IlluminanceKind::planar:
-        return job.template run<IlluminanceKind::planar, weighting>();
-    case IlluminanceKind::cylindrical:
-        return job.template run<IlluminanceKind::cylindrical, weighting>();
-    case IlluminanceKind::semi_cylindrical:
-        return job.template run<IlluminanceKind::semi_cylindrical, weighting>();
-    case IlluminanceKind::hemispherical:
-        return job.template run<IlluminanceKind::hemispherical, weighting>();
-    case IlluminanceKind::mean_spherical:
-        return job.template run<IlluminanceKind::mean_spherical, weighting>();
+template <IlluminanceKind kind, Weighting weighting> void run(const RowsTask& t) noexcept {
+    for (std::size_t k = 0; k < t.rows.size(); ++k) {
+        const RowOfTree& row = t.rows[k];
+        const KernelReceiver& p = t.receivers[row.receiver];
+        float* u = t.u.data() + k * lanes;
+        if (row.clusters != nullptr)
+            weigh_row<kind, weighting>(*row.clusters, p, u);
+        else
+            weigh_row<kind, weighting>(*row.block, row.row, p, u);
     }
 }
 
-template <class Job>
-void run_job(IlluminanceKind kind, Weighting weighting, const Job& job) noexcept {
-    if (weighting == Weighting::balanced)
-        run_kind<Weighting::balanced>(kind, job);
+template <Weighting weighting, class Task>
+void run_kind(IlluminanceKind kind, const Task& t) noexcept {
+    switch (kind) {
+    case IlluminanceKind::planar:
+        return run<IlluminanceKind::planar, weighting>(t);
+    case IlluminanceKind::cylindrical:
+        return run<IlluminanceKind::cylindrical, weighting>(t);
+    case IlluminanceKind::semi_cylindrical:
+        return run<IlluminanceKind::semi_cylindrical, weighting>(t);
+    case IlluminanceKind::hemispherical:
+        return run<IlluminanceKind::hemispherical, weighting>(t);
+    case IlluminanceKind::mean_spherical:
+        return run<IlluminanceKind::mean_spherical, weighting>(t);
+    }
+}
+
+template <class Task> void run_task(const Task& t) noexcept {
+    if (t.weighting == Weighting::balanced)
+        run_kind<Weighting::balanced>(t.kind, t);
     else
-        run_kind<Weighting::alone>(kind, job);
+        run_kind<Weighting::alone>(t.kind, t);
 }
 
 } // namespace
 
 /// Behind one door each for every instruction set.
-void weigh_cut_in(IlluminanceKind kind,
-                  Weighting weighting,
-                  std::span<const ClusterRow> clusters,
-                  std::span<const VertexBlock> blocks,
-                  std::span<const std::uint32_t> leaves,
-                  std::span<const KernelReceiver> receivers,
-                  float* u,
-                  float* sums) {
-    run_job(kind, weighting, CutJob{clusters, blocks, leaves, receivers, u, sums});
-}
+void weigh_cut_in(const CutTask& t) { run_task(t); }
 
-void weigh_rows_in(IlluminanceKind kind,
-                   Weighting weighting,
-                   std::span<const RowTask> tasks,
-                   std::span<const KernelReceiver> receivers,
-                   float* u) {
-    run_job(kind, weighting, RowJob{tasks, receivers, u});
-}
+void weigh_rows_in(const RowsTask& t) { run_task(t); }
 
 } // namespace HWY_NAMESPACE
 } // namespace isolux
@@ -313,28 +235,16 @@ namespace isolux {
 HWY_EXPORT(weigh_cut_in);
 HWY_EXPORT(weigh_rows_in);
 
-void weigh_cut(std::span<const ClusterRow> clusters,
-               std::span<const VertexBlock> blocks,
-               std::span<const std::uint32_t> leaves,
-               IlluminanceKind kind,
-               Weighting weighting,
-               std::span<const KernelReceiver> receivers,
-               std::span<float> u,
-               std::span<float> sums) noexcept {
-    ISOLUX_EXPECT(sums.size() >= receivers.size() * (clusters.size() + leaves.size()));
-    ISOLUX_EXPECT(u.size()
-                  >= receivers.size() * (clusters.size() + leaves.size()) * ClusterRow::size);
-    HWY_DYNAMIC_DISPATCH(weigh_cut_in)
-    (kind, weighting, clusters, blocks, leaves, receivers, u.data(), sums.data());
+void weigh_cut(const CutTask& t) noexcept {
+    ISOLUX_EXPECT(t.sums.size() >= t.receivers.size() * (t.clusters.size() + t.leaves.size()));
+    ISOLUX_EXPECT(t.u.size() >= t.receivers.size() * (t.clusters.size() + t.leaves.size())
+                                    * ClusterRow::size);
+    HWY_DYNAMIC_DISPATCH(weigh_cut_in)(t);
 }
 
-void weigh_rows(std::span<const RowTask> tasks,
-                IlluminanceKind kind,
-                Weighting weighting,
-                std::span<const KernelReceiver> receivers,
-                std::span<float> u) noexcept {
-    ISOLUX_EXPECT(u.size() >= tasks.size() * ClusterRow::size);
-    HWY_DYNAMIC_DISPATCH(weigh_rows_in)(kind, weighting, tasks, receivers, u.data());
+void weigh_rows(const RowsTask& t) noexcept {
+    ISOLUX_EXPECT(t.u.size() >= t.rows.size() * ClusterRow::size);
+    HWY_DYNAMIC_DISPATCH(weigh_rows_in)(t);
 }
 
 } // namespace isolux

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "isolux/base/check.h"
+#include "isolux/base/grow.h"
 
 namespace isolux {
 
@@ -32,10 +33,6 @@ void weigh_points(const VertexCache& cache,
                   Weighting weighting,
                   LocalScratch& s) {
     const std::size_t blocks = cache.blocks.size();
-    const auto grow = [](std::vector<float>& v, std::size_t n) {
-        if (v.size() < n)
-            v.resize(n);
-    };
     grow(s.u, points.size() * blocks * VertexBlock::size);
     grow(s.column_sums, points.size() * blocks * columns);
     s.receivers.clear();

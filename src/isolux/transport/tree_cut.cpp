@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "isolux/base/grow.h"
 #include "isolux/transport/tree_draws.h"
 
 /// Where the tree of vertices is cut for a tile: METHODS "Vertex tree".
@@ -101,6 +102,7 @@ Fates judge(const ClusterRow& r, std::size_t first, const Group& g) noexcept {
     return fates;
 }
 
+/// All that the kernel reads (not `lowest`: the cut itself has asked for it).
 void put(ClusterRow& to, std::size_t i, const ClusterRow& from, std::size_t k) noexcept {
     to.x[i] = from.x[k], to.y[i] = from.y[k], to.z[i] = from.z[k];
     to.nx[i] = from.nx[k], to.ny[i] = from.ny[k], to.nz[i] = from.nz[k];
@@ -109,11 +111,6 @@ void put(ClusterRow& to, std::size_t i, const ClusterRow& from, std::size_t k) n
     to.lean[i] = from.lean[k], to.depth[i] = from.depth[k];
     to.wobble[i] = from.wobble[k];
     to.hx[i] = from.hx[k], to.hy[i] = from.hy[k], to.hz[i] = from.hz[k];
-}
-
-template <class T> void grow(std::vector<T>& v, std::size_t n) {
-    if (v.size() < n)
-        v.resize(n);
 }
 
 } // namespace

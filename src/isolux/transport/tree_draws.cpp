@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "isolux/base/check.h"
+#include "isolux/base/grow.h"
 
 namespace isolux {
 
@@ -105,7 +106,7 @@ void draw_from_cut(const VertexCache& cache,
 }
 
 /// The row that holds what a cluster consists of, one or two levels below.
-RowTask look_into(const VertexCache& cache, const TreeScratch::Descent& d) noexcept {
+RowOfTree look_into(const VertexCache& cache, const TreeScratch::Descent& d) noexcept {
     const std::uint32_t i = d.cluster.index;
     switch (d.cluster.level) {
     case 0:
@@ -155,11 +156,6 @@ bool step_down(const VertexCache& cache,
     return true;
 }
 
-template <class T> void grow(std::vector<T>& v, std::size_t n) {
-    if (v.size() < n)
-        v.resize(n);
-}
-
 } // namespace
 
 void draw_by_tree(const VertexCache& cache,
@@ -178,26 +174,26 @@ void draw_by_tree(const VertexCache& cache,
     grow(s.u, points.size() * rows * lanes);
     grow(s.sums, points.size() * rows);
     s.descents.clear();
-    weigh_cut(std::span(s.cut.clusters).first(s.cut.cluster_rows()),
-              cache.blocks,
-              s.cut.leaves,
-              kind,
-              weighting,
-              s.receivers,
-              s.u,
-              s.sums);
+    weigh_cut({std::span(s.cut.clusters).first(s.cut.cluster_rows()),
+               cache.blocks,
+               s.cut.leaves,
+               kind,
+               weighting,
+               s.receivers,
+               s.u,
+               s.sums});
     draw_from_cut(cache, points, s, draws);
     while (!s.descents.empty()) {
-        s.tasks.clear();
+        s.members.clear();
         for (const TreeScratch::Descent& d : s.descents)
-            s.tasks.push_back(look_into(cache, d));
-        grow(s.task_u, s.tasks.size() * lanes);
-        weigh_rows(s.tasks, kind, weighting, s.receivers, s.task_u);
+            s.members.push_back(look_into(cache, d));
+        grow(s.member_u, s.members.size() * lanes);
+        weigh_rows({s.members, kind, weighting, s.receivers, s.member_u});
         std::size_t kept = 0;
         for (std::size_t k = 0; k < s.descents.size(); ++k) {
             TreeScratch::Descent d = s.descents[k];
             if (step_down(
-                    cache, points[d.point], s.task_u.data() + k * lanes, d, draws[d.draw]))
+                    cache, points[d.point], s.member_u.data() + k * lanes, d, draws[d.draw]))
                 s.descents[kept++] = d;
         }
         s.descents.resize(kept);

@@ -64,8 +64,8 @@ struct TreeScratch {
     std::vector<float> u;
     std::vector<float> sums;
     std::vector<Descent> descents;
-    std::vector<RowTask> tasks;
-    std::vector<float> task_u;
+    std::vector<RowOfTree> members; ///< of the clusters that draws have come to
+    std::vector<float> member_u;
 };
 
 /// Cuts the tree for points of one kind.

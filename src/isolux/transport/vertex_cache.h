@@ -39,7 +39,7 @@ struct alignas(32) VertexRecord {
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
 /// precision for connections, and packed as floats for the vectorised kernel, there sorted by
 /// where they lie and face, so that neighbours in the running sum are neighbours in the room.
-/// Holds about 240 bytes a vertex.
+/// Holds about 200 bytes a vertex (METHODS "Memory").
 struct VertexCache {
     std::size_t paths = 0;
     std::vector<PathVertex> vertices;
@@ -47,12 +47,9 @@ struct VertexCache {
     std::vector<VertexBlock> blocks;
     /// Which vertex stands at a place of the blocks, counted [block][row][column].
     std::vector<std::uint32_t> vertex_at;
-    /// Which vertex is which in the sorted order, and all of them in that order.
-    std::vector<std::uint32_t> sorted;
-    std::vector<VertexRecord> records;
-    /// Where importance drew more vertices than there is flux: some of them, by their place in
-    /// the sorted order, in proportion to what they carry, for who wants some at random. Empty:
-    /// any will do.
+    std::vector<VertexRecord> records; ///< in path order
+    /// Where importance drew more vertices than there is flux: some of them in proportion to
+    /// what they carry, for who wants some at random. Empty: any will do.
     std::vector<std::uint32_t> picks;
     double carried = 0.0; ///< by all vertices, lm
     double corner = 0.0;  ///< of the counts
@@ -64,10 +61,9 @@ struct VertexCache {
 
     [[nodiscard]] bool empty() const noexcept { return vertices.empty(); }
 
-    /// One at random, in proportion to what they carry. @param u  in [0, 1); near ones give
-    /// neighbours in the room  @return  its place in the sorted order  @pre !empty()
+    /// One at random, in proportion to what they carry. @param u  in [0, 1)  @pre !empty()
     [[nodiscard]] std::size_t draw(double u) const noexcept {
-        const std::size_t n = picks.empty() ? records.size() : picks.size();
+        const std::size_t n = picks.empty() ? vertices.size() : picks.size();
         const auto k = std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
         return picks.empty() ? k : picks[k];
     }

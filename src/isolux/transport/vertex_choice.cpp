@@ -1,13 +1,15 @@
 #include "isolux/transport/vertex_choice.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace isolux {
 
 namespace {
 
-/// Candidate k of u: all of them spread evenly over the room.
+/// Candidate k of u.
 std::size_t candidate(const VertexCache& cache, double u, std::size_t k) noexcept {
     return cache.draw((u + static_cast<double>(k)) / static_cast<double>(vertex_candidates));
 }
@@ -22,7 +24,7 @@ public:
           nx_(static_cast<float>(place.normal.x())), ny_(static_cast<float>(place.normal.y())),
           nz_(static_cast<float>(place.normal.z())),
           rival_(static_cast<float>(place.rival / std::numbers::pi)),
-          least_(static_cast<float>(place.nearest * place.nearest) * slack) {}
+          least_(surely_nearer(cache, place)) {}
 
     [[nodiscard]] float operator()(const VertexRecord& v) const noexcept {
         constexpr float touching = 1e-12F; // m2, as in the kernel
@@ -37,8 +39,15 @@ public:
     }
 
 private:
-    /// Who counts is decided in double precision later; here none of them may be left out.
-    static constexpr float slack = 0.9999F;
+    /// Squared. Who counts is decided in double precision later; here none of them may be left
+    /// out, however the coordinates were rounded.
+    static float surely_nearer(const VertexCache& cache, const LitPlace& place) noexcept {
+        const Vector3 p = place.at - cache.centre;
+        const double rounding =
+            0x1p-21 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + place.nearest);
+        const double surely = std::max(0.0, place.nearest - rounding);
+        return static_cast<float>(surely * surely);
+    }
 
     float x_, y_, z_, nx_, ny_, nz_, rival_, least_;
 };
@@ -55,12 +64,12 @@ choose_vertex(const VertexCache& cache, const LitPlace& place, double u, double 
     if (cache.empty())
         return std::nullopt;
     const UnshadowedLight light(cache, place);
-    std::array<std::size_t, vertex_candidates> records{};
+    std::array<std::size_t, vertex_candidates> vertices{};
     std::array<float, vertex_candidates> added{};
     float sum = 0.0F;
     for (std::size_t k = 0; k < vertex_candidates; ++k) {
-        records[k] = candidate(cache, u, k);
-        added[k] = light(cache.records[records[k]]);
+        vertices[k] = candidate(cache, u, k);
+        added[k] = light(cache.records[vertices[k]]);
         sum += added[k];
     }
     if (!(sum > 0.0F))
@@ -75,11 +84,10 @@ choose_vertex(const VertexCache& cache, const LitPlace& place, double u, double 
             break;
         rest -= added[k];
     }
-    const std::size_t vertex = cache.sorted[records[chosen]];
     const double odds =
         static_cast<double>(sum)
         / (static_cast<double>(vertex_candidates) * static_cast<double>(added[chosen]));
-    return ChosenVertex{vertex, odds * cache.share_of(vertex)};
+    return ChosenVertex{vertices[chosen], odds * cache.share_of(vertices[chosen])};
 }
 
 } // namespace isolux

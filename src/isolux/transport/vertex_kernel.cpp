@@ -1,7 +1,5 @@
 #include "isolux/transport/vertex_kernel.h"
 
-#include <numbers>
-
 #include "isolux/base/check.h"
 
 // This file is compiled once for every instruction set; the widest that the machine has is
@@ -12,18 +10,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "isolux/transport/vertex_terms.inl"
+
 HWY_BEFORE_NAMESPACE();
 
 namespace isolux {
 namespace HWY_NAMESPACE {
 namespace {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr float inverse_pi = std::numbers::inv_pi_v<float>;
-
-/// Squared distance below which a vertex and a receiver count as touching, m2.
-constexpr float least_distance_squared = 1e-12F;
 
 /// Whether no vertex of the block can light the receiver: all lie behind its plane, or it lies
 /// behind theirs.
@@ -41,72 +34,18 @@ bool is_dark(const VertexBlock& b, const KernelReceiver& p, bool is_planar) noex
     return (is_planar && ahead <= 0.0F) || (have_normal && above <= 0.0F);
 }
 
-/// One block and one receiver, lane by lane the same arithmetic for any width of the registers.
+/// One block and one receiver, and the sums over its rows.
 template <IlluminanceKind kind, Weighting weighting>
-void weigh(const VertexBlock& b, const KernelReceiver& p, float* u, float* sums) noexcept {
+void weigh_block(const VertexBlock& b,
+                 const KernelReceiver& p,
+                 float* u,
+                 float* sums) noexcept {
     const hn::CappedTag<float, VertexBlock::columns> d;
-    using V = hn::Vec<decltype(d)>;
-    const V px = hn::Set(d, p.at[0]), py = hn::Set(d, p.at[1]), pz = hn::Set(d, p.at[2]);
-    const V ax = hn::Set(d, -p.axis[0]), ay = hn::Set(d, -p.axis[1]),
-            az = hn::Set(d, -p.axis[2]);
-    const V rays = hn::Set(d, p.rays);
-    const V zero = hn::Zero(d);
-    const V least = hn::Set(d, least_distance_squared);
     for (std::size_t column = 0; column < VertexBlock::columns; column += hn::Lanes(d)) {
-        V sum = zero;
+        auto sum = hn::Zero(d);
         for (std::size_t row = 0; row < b.rows; ++row) {
             const std::size_t i = VertexBlock::columns * row + column;
-            // from the vertex to the receiver
-            const V dx = hn::Sub(px, hn::Load(d, b.x.data() + i));
-            const V dy = hn::Sub(py, hn::Load(d, b.y.data() + i));
-            const V dz = hn::Sub(pz, hn::Load(d, b.z.data() + i));
-            const V d2 =
-                hn::Max(least, hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz))));
-            // distance times the cosine at the vertex, and along the receiver's axis
-            const V cv =
-                hn::Max(zero,
-                        hn::MulAdd(hn::Load(d, b.nx.data() + i),
-                                   dx,
-                                   hn::MulAdd(hn::Load(d, b.ny.data() + i),
-                                              dy,
-                                              hn::Mul(hn::Load(d, b.nz.data() + i), dz))));
-            const V ca = hn::MulAdd(ax, dx, hn::MulAdd(ay, dy, hn::Mul(az, dz)));
-            // METHODS eq. (60): strength numerator / (denominator + rival shared)
-            V numerator, denominator, shared;
-            if constexpr (kind == IlluminanceKind::planar) {
-                numerator = hn::Mul(hn::Max(zero, ca), cv);
-                denominator = hn::Mul(d2, d2);
-                shared = numerator;
-            } else {
-                const V distance = hn::Sqrt(d2);
-                denominator = hn::Mul(d2, distance);
-                shared = hn::Mul(hn::Set(d, 0.25F), cv);
-                V response = hn::Set(d, 0.25F);
-                if constexpr (kind == IlluminanceKind::hemispherical)
-                    response = hn::Mul(
-                        response,
-                        hn::Max(zero, hn::Add(hn::Set(d, 1.0F), hn::Div(ca, distance))));
-                if constexpr (kind == IlluminanceKind::cylindrical
-                              || kind == IlluminanceKind::semi_cylindrical) {
-                    V side = hn::Sqrt(hn::Max(zero, hn::NegMulAdd(ca, ca, d2)));
-                    if constexpr (kind == IlluminanceKind::semi_cylindrical) {
-                        const V along =
-                            hn::MulAdd(hn::Set(d, -p.across[0]),
-                                       dx,
-                                       hn::MulAdd(hn::Set(d, -p.across[1]),
-                                                  dy,
-                                                  hn::Mul(hn::Set(d, -p.across[2]), dz)));
-                        side = hn::Max(zero, hn::Add(side, along));
-                    }
-                    response = hn::Div(hn::Mul(hn::Set(d, inverse_pi), side), distance);
-                }
-                numerator = hn::Mul(response, cv);
-            }
-            if constexpr (weighting == Weighting::balanced)
-                denominator = hn::MulAdd(
-                    hn::Load(d, b.rival.data() + i), hn::Mul(rays, shared), denominator);
-            const V value =
-                hn::Div(hn::Mul(hn::Load(d, b.strength.data() + i), numerator), denominator);
+            const auto value = weigh_vertices_at<kind, weighting>(d, b, i, p);
             hn::StoreU(value, d, u + i);
             sum = hn::Add(sum, value);
         }
@@ -133,7 +72,7 @@ template <IlluminanceKind kind, Weighting weighting> void weigh_all(const Task& 
                 for (std::size_t c = 0; c < VertexBlock::columns; ++c)
                     sums[c] = 0.0F;
             else
-                weigh<kind, weighting>(
+                weigh_block<kind, weighting>(
                     t.blocks[b], t.receivers[r], t.u + place * VertexBlock::size, sums);
         }
 }

@@ -30,8 +30,8 @@ struct alignas(64) ClusterRow {
     Values lowest{}; ///< least n·(y - mean) where all share a normal, else -infinity, m
 };
 
-/// A row of clusters or of single vertices that weigh_rows reads for one receiver.
-struct RowTask {
+/// A row of clusters or of single vertices, for one receiver.
+struct RowOfTree {
     const ClusterRow* clusters = nullptr; ///< null: vertices
     const VertexBlock* block = nullptr;
     std::uint32_t row = 0; ///< of the block
@@ -47,9 +47,10 @@ struct VertexTree {
 
     [[nodiscard]] bool empty() const noexcept { return levels.empty(); }
 
-    static constexpr std::size_t leaf = 16;  ///< vertices of a cluster of level 0
-    static constexpr std::size_t forks = 4;  ///< clusters of the level below
-    static constexpr std::size_t roots = 64; ///< no more clusters than that in the highest level
+    static constexpr std::size_t leaf = 16; ///< vertices of a cluster of level 0
+    static constexpr std::size_t forks = 4; ///< clusters of the level below
+    static constexpr std::size_t roots =
+        64; ///< no more clusters than that in the highest level
 };
 
 /// Numbers of the vertices in an order in which runs of any length are compact: by the way they
@@ -61,25 +62,29 @@ struct VertexTree {
 [[nodiscard]] VertexTree build_vertex_tree(std::span<const VertexBlock> blocks,
                                            std::size_t count);
 
-/// METHODS eq. (137) for clusters, and (60) for the vertices of leaves, at receivers of one
-/// kind.
-/// @param leaves  clusters of level 0: rows of `blocks`
-/// @param u       [receiver][row][16], lm/m2 as in weigh_vertices; rows of clusters first
-/// @param sums    [receiver][row]
-void weigh_cut(std::span<const ClusterRow> clusters,
-               std::span<const VertexBlock> blocks,
-               std::span<const std::uint32_t> leaves,
-               IlluminanceKind kind,
-               Weighting weighting,
-               std::span<const KernelReceiver> receivers,
-               std::span<float> u,
-               std::span<float> sums) noexcept;
+/// What to weigh for some receivers of one kind: the rows of a cut.
+struct CutTask {
+    std::span<const ClusterRow> clusters;
+    std::span<const VertexBlock> blocks;
+    std::span<const std::uint32_t> leaves; ///< clusters of level 0: rows of `blocks`
+    IlluminanceKind kind = IlluminanceKind::planar;
+    Weighting weighting = Weighting::balanced;
+    std::span<const KernelReceiver> receivers;
+    std::span<float> u;    ///< [receiver][row][16], lm/m2 as in weigh_vertices; clusters first
+    std::span<float> sums; ///< [receiver][row]
+};
 
-/// The same for one row and receiver each. @param u  [task][16]
-void weigh_rows(std::span<const RowTask> tasks,
-                IlluminanceKind kind,
-                Weighting weighting,
-                std::span<const KernelReceiver> receivers,
-                std::span<float> u) noexcept;
+/// The same, one receiver for each row.
+struct RowsTask {
+    std::span<const RowOfTree> rows;
+    IlluminanceKind kind = IlluminanceKind::planar;
+    Weighting weighting = Weighting::balanced;
+    std::span<const KernelReceiver> receivers;
+    std::span<float> u; ///< [row][16]
+};
+
+/// METHODS eq. (137) for clusters, and (60) for single vertices.
+void weigh_cut(const CutTask& task) noexcept;
+void weigh_rows(const RowsTask& task) noexcept;
 
 } // namespace isolux

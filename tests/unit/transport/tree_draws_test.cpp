@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -46,12 +47,13 @@ const Scene& room() {
     return scene;
 }
 
-VertexCache make_cache(Weighing weighing, std::size_t paths = 8192) {
+VertexCache
+make_cache(Weighing weighing, std::size_t paths = 8192, const PathImportance& importance = {}) {
     const Emission emission(room());
     const auto m = static_cast<double>(paths);
     const EffectiveCounts counts{m, 2.5 * m, 1.0, 1.0, corner};
     return build_vertex_cache(
-        room(), emission, PathRandomness(3, 0), 0, paths, counts, {}, {}, weighing);
+        room(), emission, PathRandomness(3, 0), 0, paths, counts, importance, {}, weighing);
 }
 
 const VertexCache& tree_cache() {
@@ -230,14 +232,14 @@ TEST_P(TreeDraws, WeighClustersNeverFarTooLow) {
         for (const TreePoint& p : points) {
             const std::vector<double> u = all_u(cache, p, GetParam());
             std::vector<float> own(16 * rows), sums(rows);
-            weigh_cut(std::span(s.cut.clusters).first(s.cut.cluster_rows()),
-                      cache.blocks,
-                      s.cut.leaves,
-                      GetParam(),
-                      Weighting::balanced,
-                      {&p.receiver, 1},
-                      own,
-                      sums);
+            weigh_cut({std::span(s.cut.clusters).first(s.cut.cluster_rows()),
+                       cache.blocks,
+                       s.cut.leaves,
+                       GetParam(),
+                       Weighting::balanced,
+                       {&p.receiver, 1},
+                       own,
+                       sums});
             for (std::size_t k = 0; k < s.cut.places.size(); ++k) {
                 std::size_t size = VertexTree::leaf;
                 for (std::size_t level = 0; level < s.cut.places[k].level; ++level)
@@ -288,36 +290,80 @@ TEST(TreeDraws, VaryByLessThanTheModelOfEffortsSays) {
     EXPECT_LT(variance, 1.5e-3); // METHODS "Vertex tree"
 }
 
+/// A tile of all kinds in runs, each point with a number of draws of its own.
+std::vector<Receiver> make_mixed_tile() {
+    constexpr std::array kinds{IlluminanceKind::planar,
+                               IlluminanceKind::cylindrical,
+                               IlluminanceKind::semi_cylindrical,
+                               IlluminanceKind::hemispherical,
+                               IlluminanceKind::mean_spherical};
+    std::vector<Receiver> tile = make_tile(IlluminanceKind::planar);
+    for (std::size_t i = 0; i < tile.size(); ++i)
+        tile[i].kind = kinds[i / 4 % kinds.size()];
+    return tile;
+}
+
+/// With rays: light at a tile, mean over offsets.
+Estimate seen_light(const VertexCache& cache, std::span<const Receiver> tile, Weighting by) {
+    LocalScratch scratch;
+    return test::over_seeds([&](std::size_t seed) {
+        const RandomStream stream(seed, StreamPurpose::subset, 0);
+        double e = 0.0;
+        for (std::uint32_t k = 0; k < 16; ++k) {
+            std::vector<LocalPoint> points;
+            for (std::size_t p = 0; p < tile.size(); ++p)
+                points.push_back({&tile[p],
+                                  clear_point(room(), tile[p]),
+                                  stream.uniform(p, k),
+                                  1 + p % 5,
+                                  4.0});
+            std::vector<Rgb> result(points.size());
+            std::vector<double> by_draws(points.size(), 0.0);
+            for (const LocalDraw& d :
+                 gather_local_estimates(room(), cache, points, by, scratch, result)) {
+                by_draws[d.point] += luminance_sum(d.light);
+                EXPECT_LT(d.vertex, cache.size());
+            }
+            for (std::size_t p = 0; p < points.size(); ++p) {
+                e += luminance_sum(result[p]);
+                EXPECT_NEAR(by_draws[p], luminance_sum(result[p]), 1e-9 * by_draws[p]);
+            }
+        }
+        return e;
+    });
+}
+
 TEST(TreeDraws, GiveTheLightThatIsSeen) {
-    // with rays: both kinds of cache in the mean over offsets
     const VertexCache all = make_cache(Weighing::all, 2048);
     const VertexCache tree = make_cache(Weighing::tree, 2048);
-    const std::vector<Receiver> tile = make_tile(IlluminanceKind::planar);
-    const auto mean = [&](const VertexCache& cache) {
-        LocalScratch scratch;
-        return test::over_seeds([&](std::size_t seed) {
-            const RandomStream stream(seed, StreamPurpose::subset, 0);
-            double e = 0.0;
-            for (std::uint32_t k = 0; k < 16; ++k) {
-                std::vector<LocalPoint> points;
-                for (std::size_t p = 0; p < tile.size(); ++p)
-                    points.push_back(
-                        {&tile[p], clear_point(room(), tile[p]), stream.uniform(p, k), 4, 4.0});
-                std::vector<Rgb> result(points.size());
-                gather_local_estimates(
-                    room(), cache, points, Weighting::balanced, scratch, result);
-                for (const Rgb& light : result)
-                    e += luminance_sum(light);
-            }
-            return e;
-        });
-    };
-    const Estimate a = mean(all);
-    const Estimate b = mean(tree);
-    const Estimate difference{
-        b.mean - a.mean, std::hypot(a.standard_error, b.standard_error), test::seeds};
-    EXPECT_LT(std::abs(test::z_score(difference, 0.0)), test::z_limit);
-    EXPECT_LT(difference.standard_error, 0.01 * a.mean);
+    for (const auto& tile : {make_tile(IlluminanceKind::planar), make_mixed_tile()})
+        for (const Weighting by : {Weighting::balanced, Weighting::alone}) {
+            const Estimate a = seen_light(all, tile, by);
+            const Estimate b = seen_light(tree, tile, by);
+            const Estimate difference{
+                b.mean - a.mean, std::hypot(a.standard_error, b.standard_error), test::seeds};
+            EXPECT_LT(std::abs(test::z_score(difference, 0.0)), test::z_limit);
+            EXPECT_LT(difference.standard_error, 0.01 * a.mean);
+        }
+}
+
+TEST(TreeDraws, ServeSmallCachesAndThoseWithBranches) {
+    std::vector<float> factors(CellOrder::keys);
+    const RandomStream stream(3, StreamPurpose::test, 0);
+    for (std::size_t k = 0; k < factors.size(); ++k)
+        factors[k] = static_cast<float>(std::pow(40.0, stream.uniform(k, 0)));
+    std::vector<VertexCache> caches;
+    for (const std::size_t paths : {1U, 2U, 5U, 8U, 40U, 110U})
+        caches.push_back(make_cache(Weighing::tree, paths));
+    caches.push_back(make_cache(Weighing::tree, 1024, {room().bounds, std::move(factors)}));
+    ASSERT_LT(caches.front().size(), VertexTree::leaf);
+    ASSERT_FALSE(caches.back().picks.empty());
+    for (const VertexCache& cache : caches) {
+        const auto points = make_points(cache, make_tile(IlluminanceKind::mean_spherical));
+        const Means m = mean_of_draws(cache, points, IlluminanceKind::mean_spherical, 4);
+        EXPECT_LT(std::abs(m.all.mean - 1.0), test::z_limit * m.all.standard_error + 1e-6)
+            << cache.size() << " vertices";
+    }
 }
 
 TEST(VertexTree, HoldsAllVerticesOnEveryLevel) {
@@ -342,7 +388,28 @@ TEST(VertexTree, HoldsAllVerticesOnEveryLevel) {
 
 TEST(VertexTree, IsNotThereWithoutVertices) {
     EXPECT_TRUE(build_vertex_tree({}, 0).empty());
-    EXPECT_TRUE(make_cache(Weighing::all, 64).tree.empty());
+    test::Builder b;
+    const MaterialId black = b.add_diffuse(0.0);
+    b.add_room({0, 0, 0}, {6, 5, 3}, black, black, black);
+    b.add_panel({1.0, 1.0, 2.9}, {0, 0.6, 0}, {0.6, 0, 0}, 3000.0);
+    const Scene scene = b.build();
+    const VertexCache cache = build_vertex_cache(scene,
+                                                 Emission(scene),
+                                                 PathRandomness(3, 0),
+                                                 0,
+                                                 64,
+                                                 {64.0, 64.0},
+                                                 {},
+                                                 {},
+                                                 Weighing::tree);
+    EXPECT_TRUE(cache.empty() && cache.tree.empty());
+    const Receiver point{{1, 1, 1}, UnitVector3(Vector3{0, 0, 1}), IlluminanceKind::planar};
+    const LocalPoint local{&point, point.point};
+    LocalScratch scratch;
+    Rgb light;
+    EXPECT_TRUE(gather_local_estimates(
+                    scene, cache, {&local, 1}, Weighting::balanced, scratch, {&light, 1})
+                    .empty());
 }
 
 } // namespace

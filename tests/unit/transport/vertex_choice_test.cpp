@@ -22,10 +22,11 @@ struct Office {
     SmallEngine engine{scene};
     LitPlace place{{2.1, 2.3, 1e-4}, UnitVector3(Vector3{0, 0, 1}), 0.02, 0.0};
 
-    VertexCache cache(const PathImportance& importance = {}) const {
+    VertexCache cache(const PathImportance& importance = {},
+                      std::uint32_t replicate = 0) const {
         return build_vertex_cache(scene,
                                   engine.emission,
-                                  PathRandomness(5, 0),
+                                  PathRandomness(5, replicate),
                                   0,
                                   512,
                                   {512.0, 2000.0, 1.0, 1.0, 0.3},
@@ -56,8 +57,10 @@ struct Mean {
 };
 
 /// Over many choices. @param odds_count  false: as if the choice had been an even one
-Mean mean_over_choices(const VertexCache& c, const LitPlace& y, bool odds_count = true) {
-    constexpr std::size_t n = 200000;
+Mean mean_over_choices(const VertexCache& c,
+                       const LitPlace& y,
+                       std::size_t n = 200000,
+                       bool odds_count = true) {
     const RandomStream random(11, StreamPurpose::test, 0);
     double sum = 0.0;
     double squares = 0.0;
@@ -70,8 +73,9 @@ Mean mean_over_choices(const VertexCache& c, const LitPlace& y, bool odds_count 
         sum += x;
         squares += x * x;
     }
-    const double mean = sum / n;
-    return {mean, std::sqrt((squares / n - mean * mean) / n)};
+    const auto all = static_cast<double>(n);
+    const double mean = sum / all;
+    return {mean, std::sqrt((squares / all - mean * mean) / all)};
 }
 
 double exact(const VertexCache& c, const LitPlace& y) {
@@ -95,28 +99,29 @@ TEST(VertexChoice, StandsForAllVerticesWhoeverIsHidden) {
 TEST(VertexChoice, StandsForAllVerticesWhereImportanceDrewMore) {
     const Office o;
     std::vector<float> factors(CellOrder::keys);
-    const RandomStream random(3, StreamPurpose::test, 0);
+    const RandomStream stream(3, StreamPurpose::test, 0);
     for (std::size_t k = 0; k < factors.size(); ++k)
-        factors[k] = static_cast<float>(std::pow(40.0, random.uniform(k, 0)));
-    const VertexCache c = o.cache({o.scene.bounds, std::move(factors)});
-    ASSERT_FALSE(c.picks.empty());
-    // The picks are systematic: their mean is that of all vertices over many caches, and over
-    // one cache that of the picks.
-    double sum = 0.0;
-    for (const std::uint32_t place : c.picks) {
-        const std::size_t v = c.sorted[place];
-        sum += c.share_of(v) * seen_light(c, v, o.place);
+        factors[k] = static_cast<float>(std::pow(40.0, stream.uniform(k, 0)));
+    const PathImportance importance{o.scene.bounds, std::move(factors)};
+    // Picks are systematic: their mean is that of all vertices over many caches.
+    std::vector<double> differences;
+    double all = 0.0;
+    for (std::uint32_t replicate = 0; replicate < 64; ++replicate) {
+        const VertexCache c = o.cache(importance, replicate);
+        ASSERT_FALSE(c.picks.empty());
+        differences.push_back(mean_over_choices(c, o.place, 4000).value - exact(c, o.place));
+        all += exact(c, o.place) / 64.0;
     }
-    sum /= static_cast<double>(c.picks.size());
-    const Mean m = mean_over_choices(c, o.place);
-    EXPECT_LT(std::abs(m.value - sum), limit * m.standard_error);
+    const Estimate e = estimate_from_replicates(differences);
+    EXPECT_LT(std::abs(e.mean), 5.9 * e.standard_error); // t of 63, false alarms: 2e-7
+    EXPECT_LT(e.standard_error, 0.02 * all);
 }
 
 // A planted error: the odds of the choice left out.
 TEST(VertexChoice, NeedsItsOdds) {
     const Office o;
     const VertexCache c = o.cache();
-    const Mean m = mean_over_choices(c, o.place, false);
+    const Mean m = mean_over_choices(c, o.place, 200000, false);
     EXPECT_GT(std::abs(m.value - exact(c, o.place)), 10.0 * m.standard_error);
 }
 
@@ -126,8 +131,7 @@ TEST(VertexChoice, VariesLessThanAnEvenDraw) {
     constexpr std::size_t n = 200000;
     double squares = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-        const std::size_t v =
-            c.sorted[c.draw((static_cast<double>(i) + 0.5) / static_cast<double>(n))];
+        const std::size_t v = c.draw((static_cast<double>(i) + 0.5) / static_cast<double>(n));
         squares += std::pow(c.share_of(v) * seen_light(c, v, o.place), 2);
     }
     const double mean = exact(c, o.place);

@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "isolux/calc/engine.h"
+
+/// What an engine says of itself in reports.
+namespace isolux {
+
+namespace {
+
+std::string in_millimetres(double metres) {
+    std::string text = std::to_string(1e3 * metres);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.')
+        text.pop_back();
+    return text + " mm";
+}
+
+} // namespace
+
+std::string Engine::describe() const {
+    const auto count = [&](PointEstimator e) {
+        return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
+    };
+    // "64 (open), 128 (at edges)", for the classes that there are
+    const auto by_class = [&](std::size_t PointEffort::*what) {
+        constexpr ByClass<const char*> names{"open", "near surfaces", "close", "at edges"};
+        std::string text;
+        for (std::size_t c = 0; c < point_classes; ++c)
+            if (std::count(classes_.begin(), classes_.end(), PointClass(c)) > 0)
+                text += fmt::format(
+                    "{}{} ({})", text.empty() ? "" : ", ", effort_.at[c].*what, names[c]);
+        return text.empty() ? "none" : text;
+    };
+    const std::string text =
+        fmt::format("light paths per replicate and unit: {}{}, shadow rays a point: {}",
+                    effort_.paths,
+                    effort_.weighing == Weighing::tree ? " (in a tree)" : "",
+                    by_class(&PointEffort::draws));
+    switch (settings_.estimator) {
+    case Estimator::local_estimation:
+        return "local estimation; " + text;
+    case Estimator::path_tracing:
+        return fmt::format(
+            "path tracing from the points; paths a point, replicate and unit: {}",
+            effort_.samples);
+    case Estimator::photometer_head:
+        return "local estimation at a photometer head of radius "
+               + in_millimetres(settings_.photometer_head_radius) + "; " + text;
+    case Estimator::bounded:
+        return "local estimation with a bounded kernel and its compensation; " + text;
+    case Estimator::bidirectional:
+        return "bidirectional path tracing from the points";
+    default: {
+        const std::string pilot = describe_advantage(plan_);
+        return fmt::format(
+            "local estimation with one gather bounce ({} points{}), path tracing "
+            "({} points); {}, gather rays: {}",
+            count(PointEstimator::mis),
+            pilot.empty() ? "" : "; " + pilot,
+            count(PointEstimator::path_tracing),
+            text,
+            by_class(&PointEffort::directions));
+    }
+    }
+}
+
+std::vector<Message> Engine::notices() const {
+    if (settings_.estimator != Estimator::photometer_head)
+        return {};
+    std::string text = "reflected light is the mean over a photometer head of radius "
+                       + in_millimetres(settings_.photometer_head_radius)
+                       + ", not the value at the point (the difference is r^2/8 times the "
+                         "Laplacian of E)";
+    if (study_.cut_heads() > 0)
+        text += "; points whose head an edge cuts, where it grows like r: "
+                + std::to_string(study_.cut_heads());
+    if (study_.without_head() > 0)
+        text += "; points that are no planes and have no head: "
+                + std::to_string(study_.without_head());
+    return {{"calculation", text, "For values at the points take another estimator"}};
+}
+
+} // namespace isolux
