@@ -147,7 +147,7 @@ TEST_F(LastPointsOfARun, KeepWhatTheyHadWhenStoppedBeforeThereIsMore) {
 TEST_F(LastPointsOfARun, AreLessTrustedWithAHeavyTail) {
     settings_.contributions = SourceSplit::none;
     settings_.sensitivities = false;
-    settings_.absolute_tolerance = 160.0; // so that most runs end at once
+    settings_.absolute_tolerance = 80.0; // so that most runs end at once
     const double factor =
         StoppingRule(settings_.tolerance, settings_.confidence, 1).factor(0, 16);
     int ended = 0;

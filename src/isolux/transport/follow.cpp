@@ -88,7 +88,7 @@ Onward go_on(const Scene& scene,
         passes = !returns && u < lives;
         mirrored.throughput = passing.throughput =
             ray.throughput * (event.mirror + event.straight) / lives;
-    } else if (returns && event.is_pane) {
+    } else if (returns && event.is_pane && ray.reflections > 0) {
         const double survival = std::min(0.999, event.mirror);
         returns = numbers.next() < survival;
         mirrored.throughput /= survival;

@@ -57,8 +57,8 @@ struct Onward {
     std::size_t count = 0;
 };
 
-/// The mirror reflection is certain at first, played for later; at a pane it is played for
-/// beside the light that passes, and after a few reflections one of the two is drawn.
+/// The first mirror reflection is certain, at a pane beside the light that passes; the second
+/// is played for at panes, and from then on one of the two is drawn.
 [[nodiscard]] Onward go_on(const Scene& scene,
                            const Branch& ray,
                            const SurfaceHit& hit,

@@ -19,6 +19,10 @@ constexpr double pi = std::numbers::pi;
 /// So many connections are settled at a time, to keep memory small.
 constexpr std::size_t most_waiting = 4096;
 
+/// A gathering walk that nobody shares any more stands beside far quieter numbers: it goes on
+/// with certainty until it carries the inverse of this.
+constexpr double patience = 4.0;
+
 } // namespace
 
 void WalkFront::start(const Scene& scene,
@@ -72,6 +76,7 @@ void WalkFront::add(bool gathers) {
                 continue;
             walk.point = p;
             walk.gathers = gathers;
+            walk.carried = Rgb::grey(gathers ? patience : 1.0);
             walk.throughput = Rgb::grey(evaluate_response(*point.receiver, w)
                                         / (walk.pdf * static_cast<double>(point.samples)));
             current_.push_back(
