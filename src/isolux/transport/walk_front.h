@@ -51,12 +51,12 @@ private:
         NumberSequence numbers;
         std::uint32_t point = 0;
         bool gathers = false;
-        double pdf = 0.0;             ///< of the first direction, per steradian
-        Rgb throughput;               ///< lx at the point for one cd/m2 along the current rays
-        Rgb carried;                  ///< in proportion to it, steers roulette
-        double passed_on = 0.0;       ///< sum over the surfaces met of what each would pass on
-        Point3 start;                 ///< where the current flight began
-        Meeting next;                 ///< the one of them where the walk goes on
+        double pdf = 0.0;       ///< of the first direction, per steradian
+        Rgb throughput;         ///< lx at the point for one cd/m2 along the current rays
+        Rgb carried;            ///< in proportion to it, steers roulette
+        double passed_on = 0.0; ///< sum over the surfaces met of what each would pass on
+        Point3 start;           ///< where the current flight began
+        Meeting next;           ///< the one of them where the walk goes on
         bool goes_on = false;
         bool next_into_corner = false;
         bool into_corner = false;           ///< now on the way from one near surface to another
