@@ -101,6 +101,26 @@ Case behind_glass() {
         0.012};
 }
 
+Case panes_in_a_row() {
+    return {
+        "two panes in a row and one before a mirror",
+        [](Builder& b) {
+            const auto wall = b.add_diffuse(0.5);
+            // denser than any glass, so that an error in what panes mirror is seen
+            const auto glass = b.add_material({"glass", ClearPane{3.0, 0.95}, Sides::both});
+            const auto mirror =
+                b.add_material({"mirror", Opaque{Rgb::grey(0.05), 0.8}, Sides::both});
+            b.add_room({0, 0, 0}, {5, 3, 2.7}, b.add_diffuse(0.3), b.add_diffuse(0.7), wall);
+            b.add_quad({2, 0, 0}, {0, 3, 0}, {0, 0, 2.7}, glass);
+            b.add_quad({2.1, 0, 0}, {0, 3, 0}, {0, 0, 2.7}, glass);
+            b.add_quad({4.5, 0, 0}, {0, 3, 0}, {0, 0, 2.7}, glass);
+            b.add_quad({4.8, 0, 0}, {0, 0, 2.7}, {0, 3, 0}, mirror);
+            b.add_panel({1, 1, 2.65}, {0, 0.6, 0}, {0.6, 0, 0}, 5000);
+        },
+        grid({2.2, 0, 0.8}, {2.2, 0, 0}, {0, 3, 0}, {0, 0, 1}),
+        0.012};
+}
+
 Case coloured_sensors() {
     Case c = furnished();
     c.name = "cylindrical, semi-cylindrical, hemispherical and spherical receivers";
@@ -163,6 +183,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms,
                                          mirror_floor(),
                                          two_mirrors(),
                                          behind_glass(),
+                                         panes_in_a_row(),
                                          coloured_sensors()),
                          [](const auto& test) {
                              std::string name = test.param.name;

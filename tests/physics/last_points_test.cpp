@@ -143,11 +143,11 @@ TEST_F(LastPointsOfARun, KeepWhatTheyHadWhenStoppedBeforeThereIsMore) {
 }
 
 /// METHODS 3.6: at the first look the error of a point with a heavy tail counts sqrt(2) times.
-/// Runs that end there hold all of them to that; without the rule one in four would not.
+/// Runs that end there hold all of them to that; without the rule 14 points would not.
 TEST_F(LastPointsOfARun, AreLessTrustedWithAHeavyTail) {
     settings_.contributions = SourceSplit::none;
     settings_.sensitivities = false;
-    settings_.absolute_tolerance = 80.0; // so that most runs end at once
+    settings_.absolute_tolerance = 80.0; // so that about half of the runs end at once
     const double factor =
         StoppingRule(settings_.tolerance, settings_.confidence, 1).factor(0, 16);
     int ended = 0;

@@ -10,6 +10,10 @@ namespace {
 /// same.
 constexpr double grazing_slack = 4e-5;
 
+/// What panes mirror is followed with certainty as long as the panes before left so much of the
+/// ray: four of clear glass.
+constexpr double clear_enough = 0.7;
+
 } // namespace
 
 void visit_seen_openings(const Emission& emission,
@@ -88,15 +92,17 @@ Onward go_on(const Scene& scene,
         passes = !returns && u < lives;
         mirrored.throughput = passing.throughput =
             ray.throughput * (event.mirror + event.straight) / lives;
-    } else if (returns && event.is_pane && ray.reflections > 0) {
+    } else if (returns && event.is_pane
+               && (ray.reflections > 0 || ray.throughput < clear_enough)) {
         const double survival = std::min(0.999, event.mirror);
         returns = numbers.next() < survival;
         mirrored.throughput /= survival;
     }
-    if (returns)
-        onward.branches[onward.count++] = mirrored;
+    // The brighter one first: the first numbers of a sequence are the best.
     if (passes)
         onward.branches[onward.count++] = passing;
+    if (returns)
+        onward.branches[onward.count++] = mirrored;
     return onward;
 }
 

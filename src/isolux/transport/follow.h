@@ -14,7 +14,8 @@
 /// Rays from a receiver through panes and mirrors to the diffuse surfaces behind them.
 namespace isolux {
 
-/// Mirror reflections that are followed with certainty; longer chains play roulette.
+/// Mirror reflections that are followed with certainty, at panes one; longer chains play
+/// roulette.
 inline constexpr std::size_t certain_reflections = 2;
 
 /// A ray on its way from the receiver, so far only through panes and mirrors.
@@ -57,8 +58,9 @@ struct Onward {
     std::size_t count = 0;
 };
 
-/// The first mirror reflection is certain, at a pane beside the light that passes; the second
-/// is played for at panes, and from then on one of the two is drawn.
+/// The first mirror reflection is certain, at a pane beside the light that passes, unless many
+/// panes came before; the second is played for at panes. From then on at most one of the two
+/// goes on.
 [[nodiscard]] Onward go_on(const Scene& scene,
                            const Branch& ray,
                            const SurfaceHit& hit,

@@ -19,8 +19,8 @@ constexpr double pi = std::numbers::pi;
 /// So many connections are settled at a time, to keep memory small.
 constexpr std::size_t most_waiting = 4096;
 
-/// A gathering walk that nobody shares any more stands beside far quieter numbers: it goes on
-/// with certainty until it carries the inverse of this.
+/// A gathering walk that is traced on adds to numbers far quieter than its own: its roulette
+/// begins when it carries less than the inverse of this of what it began with.
 constexpr double patience = 4.0;
 
 } // namespace

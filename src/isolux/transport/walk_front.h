@@ -53,7 +53,7 @@ private:
         bool gathers = false;
         double pdf = 0.0;       ///< of the first direction, per steradian
         Rgb throughput;         ///< lx at the point for one cd/m2 along the current rays
-        Rgb carried;            ///< in proportion to it, steers roulette
+        Rgb carried;            ///< in proportion to throughput; steers roulette
         double passed_on = 0.0; ///< sum over the surfaces met of what each would pass on
         Point3 start;           ///< where the current flight began
         Meeting next;           ///< the one of them where the walk goes on
