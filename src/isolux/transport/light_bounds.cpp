@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "isolux/base/arc_tangent.h"
 #include "isolux/transport/light_tree.h"
 
 namespace isolux {
@@ -18,7 +19,7 @@ constexpr double least_distance = 1e-3;
 constexpr double slack = 1e-7;
 
 double angle_between(const Vector3& unit_a, const Vector3& unit_b) noexcept {
-    return std::acos(std::clamp(dot(unit_a, unit_b), -1.0, 1.0));
+    return arc_tangent(length(cross(unit_a, unit_b)), dot(unit_a, unit_b));
 }
 
 /// Largest intensity of the interpolant in a band of polar angles: it is linear between nodes,
@@ -56,7 +57,8 @@ Sight look(const LightBounds& b, const Point3& place) noexcept {
     s.distance = length(s.towards);
     s.radius = 0.5 * distance(b.lower, b.upper);
     if (s.radius < s.distance)
-        s.subtended = std::asin(s.radius / s.distance);
+        s.subtended =
+            arc_tangent(s.radius, std::sqrt((s.distance - s.radius) * (s.distance + s.radius)));
     return s;
 }
 
@@ -173,7 +175,8 @@ double upper_bound(const LightBounds& b, const Receiver& receiver) noexcept {
 
 double importance(const LightBounds& b, const Point3& place) noexcept {
     const Sight s = look(b, place);
-    return largest_intensity(b, s) * b.count * over_distance_squared(s);
+    const double away = std::max({s.distance, s.radius, least_distance});
+    return largest_intensity(b, s) * b.count / (away * away);
 }
 
 } // namespace isolux
