@@ -164,6 +164,33 @@ TEST(LightTree, PicksWithTheProbabilitiesItTells) {
     }
 }
 
+/// A hall of points of light: what a draw is worth, light over probability, never is far more
+/// than all of the light, wherever a place lies among the tree's boxes.
+TEST(LightTree, DrawsNoLightFarTooRarely) {
+    test::Builder b;
+    const auto type = b.add_isotropic_type(1000);
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 15; ++j)
+            b.add_point({2.0 * i, 2.0 * j, 3.0}, type);
+    const Scene scene = b.build();
+    const LightTree tree(scene);
+    NormalDraws random(9);
+    double worst = 0.0;
+    for (int k = 0; k < 200; ++k) {
+        const Point3 place{40.0 * random.uniform(), 30.0 * random.uniform(), 0.75};
+        std::vector<double> light;
+        double all = 0.0;
+        for (const Luminaire& l : scene.luminaires) {
+            light.push_back(1.0
+                            / length_squared(place - l.placement.world_from_luminaire.origin));
+            all += light.back();
+        }
+        for (std::size_t l = 0; l < light.size(); ++l)
+            worst = std::max(worst, light[l] / (all * tree.probability(place, l)));
+    }
+    EXPECT_LT(worst, 100.0);
+}
+
 /// Whoever can light a place can be picked: from the tree and from a short list alike.
 TEST(NextEventPick, LeavesNoLightOut) {
     NormalDraws random(4);
