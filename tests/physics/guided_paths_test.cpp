@@ -13,23 +13,16 @@
 #include "isolux/calc/find_importance.h"
 
 #include "support/furnace.h"
+#include "support/random_importance.h"
 #include "support/small_engine.h"
 
 namespace isolux {
 namespace {
 
+using test::random_importance;
 using test::SmallEngine;
 using test::z_limit;
 using test::z_score;
-
-/// Factors between 1 and 40 without any sense.
-PathImportance random_importance(const Scene& scene, std::uint64_t seed) {
-    const RandomStream random(seed, StreamPurpose::test, 0);
-    std::vector<float> factors(CellOrder::keys);
-    for (std::size_t k = 0; k < factors.size(); ++k)
-        factors[k] = static_cast<float>(std::pow(40.0, random.uniform(k, 0)));
-    return {scene.bounds, std::move(factors)};
-}
 
 /// The dark room behind an open door, and what a few plain paths know of it.
 struct Doorway {

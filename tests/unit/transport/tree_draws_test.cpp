@@ -10,6 +10,7 @@
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/response.h"
 
+#include "support/random_importance.h"
 #include "support/statistics.h"
 #include "support/test_scene.h"
 
@@ -348,14 +349,10 @@ TEST(TreeDraws, GiveTheLightThatIsSeen) {
 }
 
 TEST(TreeDraws, ServeSmallCachesAndThoseWithBranches) {
-    std::vector<float> factors(CellOrder::keys);
-    const RandomStream stream(3, StreamPurpose::test, 0);
-    for (std::size_t k = 0; k < factors.size(); ++k)
-        factors[k] = static_cast<float>(std::pow(40.0, stream.uniform(k, 0)));
     std::vector<VertexCache> caches;
     for (const std::size_t paths : {1U, 2U, 5U, 8U, 40U, 110U})
         caches.push_back(make_cache(Weighing::tree, paths));
-    caches.push_back(make_cache(Weighing::tree, 1024, {room().bounds, std::move(factors)}));
+    caches.push_back(make_cache(Weighing::tree, 1024, test::random_importance(room(), 3)));
     ASSERT_LT(caches.front().size(), VertexTree::leaf);
     ASSERT_FALSE(caches.back().picks.empty());
     for (const VertexCache& cache : caches) {

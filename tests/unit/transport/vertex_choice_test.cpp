@@ -9,6 +9,7 @@
 #include "isolux/calc/bench_rooms.h"
 #include "isolux/transport/vertex_choice.h"
 
+#include "support/random_importance.h"
 #include "support/small_engine.h"
 
 namespace isolux {
@@ -98,11 +99,7 @@ TEST(VertexChoice, StandsForAllVerticesWhoeverIsHidden) {
 
 TEST(VertexChoice, StandsForAllVerticesWhereImportanceDrewMore) {
     const Office o;
-    std::vector<float> factors(CellOrder::keys);
-    const RandomStream stream(3, StreamPurpose::test, 0);
-    for (std::size_t k = 0; k < factors.size(); ++k)
-        factors[k] = static_cast<float>(std::pow(40.0, stream.uniform(k, 0)));
-    const PathImportance importance{o.scene.bounds, std::move(factors)};
+    const PathImportance importance = test::random_importance(o.scene, 3);
     // Picks are systematic: their mean is that of all vertices over many caches.
     std::vector<double> differences;
     double all = 0.0;
