@@ -120,6 +120,9 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
     know_openings(task, plan);
     plan_points(task, points, plan, rays);
     plan_images(task, plan, rays);
+    // Plans stay for the whole calculation, one for every receiver.
+    plan.openings.shrink_to_fit();
+    plan.terms.shrink_to_fit();
     return plan;
 }
 
