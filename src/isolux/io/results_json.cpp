@@ -80,7 +80,8 @@ Json to_json(const Receiver& r, const PointResult& p, double confidence) {
     return json;
 }
 
-Json to_json(const SurfaceResult& s, double confidence) {
+/// Without its points.
+Json head_of(const SurfaceResult& s, double confidence) {
     Json json{{"name", s.surface.name},
               {"quantity", quantity_name(s.surface.kind)},
               {"unit", "lx"},
@@ -93,9 +94,6 @@ Json to_json(const SurfaceResult& s, double confidence) {
             outline.push_back(to_json(p));
     }
     json["summary"] = to_json(s.summary, confidence);
-    Json& points = json["points"] = Json::array();
-    for (std::size_t i = 0; i < s.points.size(); ++i)
-        points.push_back(to_json(s.surface.receivers[i], s.points[i], confidence));
     return json;
 }
 
@@ -132,16 +130,13 @@ Json to_json(const Verdict& v) {
     return json;
 }
 
-Json to_json(const ModellingResult& m, const Results& r) {
-    Json json{{"cylindrical", r.surfaces[m.cylindrical].surface.name},
-              {"horizontal", r.surfaces[m.horizontal].surface.name},
-              {"mean", to_json(m.mean, r.confidence)},
-              {"minimum", to_json(m.minimum, r.confidence)},
-              {"maximum", to_json(m.maximum, r.confidence)}};
-    Json& points = json["points"] = Json::array();
-    for (const Estimate& e : m.points)
-        points.push_back(to_json(e, r.confidence));
-    return json;
+/// Without its points.
+Json head_of(const ModellingResult& m, const Results& r) {
+    return {{"cylindrical", r.surfaces[m.cylindrical].surface.name},
+            {"horizontal", r.surfaces[m.horizontal].surface.name},
+            {"mean", to_json(m.mean, r.confidence)},
+            {"minimum", to_json(m.minimum, r.confidence)},
+            {"maximum", to_json(m.maximum, r.confidence)}};
 }
 
 Json to_json(const ScheduleEntry& e) {
@@ -223,7 +218,8 @@ Json to_json(const SceneResult& scene, const Results& r) {
     return json;
 }
 
-Json to_json(const ResultsDocument& d) {
+/// What comes before the surfaces.
+Json head_of(const ResultsDocument& d) {
     const Results& r = d.results;
     Json json{{"isolux_results", 1}, {"version", d.version}};
     json["project"] = {
@@ -252,12 +248,13 @@ Json to_json(const ResultsDocument& d) {
     Json& schedule = json["schedule"] = Json::array();
     for (const ScheduleEntry& e : d.schedule)
         schedule.push_back(to_json(e));
-    Json& surfaces = json["surfaces"] = Json::array();
-    for (const SurfaceResult& s : r.surfaces)
-        surfaces.push_back(to_json(s, r.confidence));
-    Json& modelling = json["modelling"] = Json::array();
-    for (const ModellingResult& m : r.modelling)
-        modelling.push_back(to_json(m, r));
+    return json;
+}
+
+/// What comes after the points of surfaces and of modelling.
+Json tail_of(const ResultsDocument& d) {
+    const Results& r = d.results;
+    Json json;
     Json& observers = json["observers"] = Json::array();
     for (const ObserverGroupResult& o : r.observers)
         observers.push_back(to_json(o, r.confidence));
@@ -293,30 +290,110 @@ bool is_one_line(const Json& json) {
     });
 }
 
-void append(std::string& text, const Json& json, std::size_t indent) {
-    // Names the user gave may hold any bytes; what is no UTF-8 becomes U+FFFD.
-    const auto dump = [](const Json& j) {
-        return j.dump(-1, ' ', false, Json::error_handler_t::replace);
-    };
-    if (json.is_primitive() || is_one_line(json)) {
-        text += dump(json);
-        return;
+/// JSON text, written member by member: as a tree of values the points of a large project would
+/// take several times the memory of their text.
+class JsonText {
+public:
+    void begin(char bracket) {
+        text_ += bracket;
+        ++depth_;
+        is_first_ = true;
     }
-    text += json.is_object() ? '{' : '[';
-    bool is_first = true;
-    for (const auto& [key, value] : json.items()) {
-        text += is_first ? "\n" : ",\n";
-        is_first = false;
-        text.append(indent + 1, ' ');
-        if (json.is_object()) {
-            text += dump(Json(key));
-            text += ": ";
+
+    void end(char bracket) {
+        --depth_;
+        if (!is_first_)
+            new_line();
+        text_ += bracket;
+        is_first_ = false;
+    }
+
+    /// Begins an item of a list.
+    void item() {
+        if (!is_first_)
+            text_ += ',';
+        new_line();
+        is_first_ = false;
+    }
+
+    /// Begins a member of an object.
+    void key(const std::string& name) {
+        item();
+        text_ += dump(Json(name)) + ": ";
+    }
+
+    void value(const Json& json) {
+        if (json.is_primitive() || is_one_line(json)) {
+            text_ += dump(json);
+            return;
         }
-        append(text, value, indent + 1);
+        begin(json.is_object() ? '{' : '[');
+        for (const auto& [name, member] : json.items()) {
+            if (json.is_object())
+                key(name);
+            else
+                item();
+            value(member);
+        }
+        end(json.is_object() ? '}' : ']');
     }
-    text += '\n';
-    text.append(indent, ' ');
-    text += json.is_object() ? '}' : ']';
+
+    void members(const Json& object) {
+        for (const auto& [name, member] : object.items()) {
+            key(name);
+            value(member);
+        }
+    }
+
+    /// A member that is a list. @param write_item  writes the value of an item, by its number
+    template <class WriteItem>
+    void list(const std::string& name, std::size_t items, const WriteItem& write_item) {
+        key(name);
+        begin('[');
+        for (std::size_t i = 0; i < items; ++i) {
+            item();
+            write_item(i);
+        }
+        end(']');
+    }
+
+    [[nodiscard]] std::string finish() && {
+        text_ += '\n';
+        return std::move(text_);
+    }
+
+private:
+    /// Names the user gave may hold any bytes; what is no UTF-8 becomes U+FFFD.
+    static std::string dump(const Json& json) {
+        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+
+    void new_line() {
+        text_ += '\n';
+        text_.append(depth_, ' ');
+    }
+
+    std::string text_;
+    std::size_t depth_ = 0;
+    bool is_first_ = true; ///< nothing is written yet inside the innermost bracket
+};
+
+void write(JsonText& json, const SurfaceResult& s, double confidence) {
+    json.begin('{');
+    json.members(head_of(s, confidence));
+    json.list("points", s.points.size(), [&](std::size_t i) {
+        json.value(to_json(s.surface.receivers[i], s.points[i], confidence));
+    });
+    json.end('}');
+}
+
+void write(JsonText& json, const ModellingResult& m, const Results& r) {
+    json.begin('{');
+    json.members(head_of(m, r));
+    json.list("points", m.points.size(), [&](std::size_t i) {
+        json.value(to_json(m.points[i], r.confidence));
+    });
+    json.end('}');
 }
 
 } // namespace
@@ -342,10 +419,19 @@ make_results_document(const Project& project, const Settings& settings, Results 
 }
 
 std::string to_results_json(const ResultsDocument& document) {
-    std::string text;
-    append(text, to_json(document), 0);
-    text += '\n';
-    return text;
+    const Results& r = document.results;
+    JsonText json;
+    json.begin('{');
+    json.members(head_of(document));
+    json.list("surfaces", r.surfaces.size(), [&](std::size_t i) {
+        write(json, r.surfaces[i], r.confidence);
+    });
+    json.list("modelling", r.modelling.size(), [&](std::size_t i) {
+        write(json, r.modelling[i], r);
+    });
+    json.members(tail_of(document));
+    json.end('}');
+    return std::move(json).finish();
 }
 
 void write_results(const std::filesystem::path& folder, const ResultsDocument& document) {

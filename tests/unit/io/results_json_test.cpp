@@ -248,6 +248,15 @@ TEST(ResultsJson, PutsEveryPointOnALineOfItsOwn) {
     EXPECT_EQ(lines, r.surfaces[0].points.size() + r.surfaces[1].points.size());
 }
 
+TEST(ResultsJson, KeepsAnEmptyListOnTheLineOfItsName) {
+    ResultsDocument document = make_document();
+    document.results.surfaces.clear();
+    document.results.modelling.clear();
+    const std::string text = to_results_json(document);
+    EXPECT_NE(text.find(",\n \"surfaces\": [],\n \"modelling\": [],\n \"observers\": "),
+              std::string::npos);
+}
+
 TEST(ResultsJson, SurvivesNamesThatAreNotUtf8) {
     ResultsDocument d = make_document();
     d.results.surfaces[0].surface.name = "B\xFCro";
