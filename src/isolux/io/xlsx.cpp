@@ -1,11 +1,13 @@
 #include "isolux/io/xlsx.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include <unistd.h>
 #include <xlsxwriter.h>
@@ -60,16 +62,30 @@ std::string allowed(std::string name) {
     return name.empty() ? "sheet" : name;
 }
 
-/// A workbook and its formats.
+/// Rows may wait in files, one for each sheet and all open at a time. A process may have 1024.
+constexpr std::size_t most_sheets_in_files = 200;
+
+/// A workbook and its formats. Its sheets are filled one after the other and row by row, so
+/// that the rows need not stay in memory: they wait in temporary files beside the workbook.
 class Workbook {
 public:
-    explicit Workbook(const std::string& file) : book_(workbook_new(file.c_str())) {
+    Workbook(const std::filesystem::path& file, std::size_t sheets) {
+        std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+        lxw_workbook_options options{};
+        options.constant_memory = sheets <= most_sheets_in_files ? LXW_TRUE : LXW_FALSE;
+        options.tmpdir = folder.data();
+        book_ = workbook_new_opt(file.c_str(), &options);
         head_ = workbook_add_format(book_);
         format_set_bold(head_);
         format_set_text_wrap(head_);
         format_set_align(head_, LXW_ALIGN_VERTICAL_TOP);
         format_set_bottom(head_, LXW_BORDER_THIN);
     }
+
+    ~Workbook() { lxw_workbook_free(book_); }
+
+    Workbook(const Workbook&) = delete;
+    Workbook& operator=(const Workbook&) = delete;
 
     [[nodiscard]] lxw_format* head() const noexcept { return head_; }
 
@@ -101,7 +117,10 @@ public:
     }
 
     lxw_worksheet* add_sheet(const std::string& name) {
-        return workbook_add_worksheet(book_, name.c_str());
+        lxw_worksheet* sheet = workbook_add_worksheet(book_, name.c_str());
+        if (sheet == nullptr)
+            throw std::system_error(errno, std::generic_category(), name);
+        return sheet;
     }
 
     void set_title(const std::string& title) {
@@ -115,10 +134,10 @@ public:
         workbook_set_properties(book_, &properties);
     }
 
-    [[nodiscard]] lxw_error close() { return workbook_close(book_); }
+    [[nodiscard]] lxw_error close() { return workbook_close(std::exchange(book_, nullptr)); }
 
 private:
-    lxw_workbook* book_;
+    lxw_workbook* book_ = nullptr;
     lxw_format* head_ = nullptr;
     std::map<int, lxw_format*> numbers_;
     std::map<Decision, lxw_format*> verdicts_;
@@ -470,6 +489,16 @@ std::filesystem::path make_temporary(const std::filesystem::path& path) {
     return name;
 }
 
+/// Removes its file in the end.
+struct Draft {
+    std::filesystem::path path;
+
+    ~Draft() {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+};
+
 } // namespace
 
 std::vector<std::string> sheet_names(std::span<const std::string> names,
@@ -491,18 +520,12 @@ std::vector<std::string> sheet_names(std::span<const std::string> names,
 
 void write_xlsx(const std::filesystem::path& path, const ResultsDocument& document) {
     // libxlsxwriter writes files only; its file becomes ours once it is whole.
-    const std::filesystem::path draft = make_temporary(path);
-    Workbook book(draft.string());
+    const Draft draft{make_temporary(path)};
+    Workbook book(draft.path, document.results.surfaces.size());
     fill(book, document);
-    const lxw_error error = book.close();
-    std::error_code ignored;
-    if (error != LXW_NO_ERROR) {
-        std::filesystem::remove(draft, ignored);
+    if (book.close() != LXW_NO_ERROR)
         throw WriteError(path, std::make_error_code(std::errc::io_error));
-    }
-    const std::string bytes = read_file_bytes(draft, FileLimits::results);
-    std::filesystem::remove(draft, ignored);
-    write_file_safely(path, bytes);
+    write_file_safely(path, read_file_bytes(draft.path, FileLimits::results));
 }
 
 } // namespace isolux

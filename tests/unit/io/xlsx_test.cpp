@@ -43,7 +43,16 @@ TEST(Xlsx, IsAZipArchiveAndEqualForEqualResults) {
     const std::string bytes = test::read_bytes(folder.path() / "a.xlsx");
     ASSERT_GT(bytes.size(), 1000U);
     EXPECT_EQ(bytes.substr(0, 2), "PK");
+    EXPECT_TRUE(bytes == test::read_bytes(folder.path() / "b.xlsx"));
     EXPECT_EQ(folder.names().size(), 2U); // no draft is left behind
+}
+
+TEST(Xlsx, HasMoreSheetsThanAProcessMayOpenFiles) {
+    ResultsDocument document = make_document();
+    document.results.surfaces.resize(1100, document.results.surfaces.front());
+    const test::TemporaryFolder folder;
+    write_xlsx(folder.path() / "a.xlsx", document);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"a.xlsx"});
 }
 
 TEST(Xlsx, SaysWhereItCannotBeWritten) {
