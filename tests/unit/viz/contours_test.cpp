@@ -1,6 +1,12 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +94,52 @@ TEST(Contours, LeaveHolesOut) {
     for (const Polyline& line : contours[1].lines)
         for (const Point2& p : line)
             EXPECT_FALSE(p.x > 2 + rounding && p.y > 2 + rounding);
+}
+
+TEST(Outline, RunsAlongTheSidesThatOneCellHasAlone) {
+    auto field = make_field({5, 4}, 5, 4, [](double u, double v) { return u + v; });
+    for (const std::size_t cell : {1u, 7u, 12u, 19u}) // two notches, and holes that touch
+        field.values[cell] = nothing;
+    const Bands whole = cut_into_bands(field, {});
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
+    for (std::size_t k = 0; k < whole.polygons.size(); ++k) {
+        const auto corners = whole.corners_of(k);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            sides.insert({corners[i], corners[(i + 1) % corners.size()]});
+    }
+    using Ends = std::array<double, 4>;
+    std::vector<Ends> alone;
+    for (const auto& [from, to] : sides)
+        if (!sides.contains({to, from})) {
+            const Point2 a = whole.points[from];
+            const Point2 b = whole.points[to];
+            alone.push_back({a.x, a.y, b.x, b.y});
+        }
+    std::vector<Ends> outline;
+    for (const Polyline& loop : outline_of_cells(field))
+        for (std::size_t i = 0; i + 1 < loop.size(); ++i)
+            outline.push_back({loop[i].x, loop[i].y, loop[i + 1].x, loop[i + 1].y});
+    std::ranges::sort(alone);
+    std::ranges::sort(outline);
+    EXPECT_EQ(outline, alone);
+}
+
+TEST(Bands, CoverTheFieldOnceEachWithItsOwnLight) {
+    const auto field =
+        make_field({8, 6}, 4, 3, [](double u, double v) { return 100 + 20 * u + 10 * v; });
+    const std::vector<double> levels{120, 150};
+    const Bands bands = cut_into_bands(field, levels);
+    std::array<double, 3> area{};
+    for (std::size_t k = 0; k < bands.polygons.size(); ++k) {
+        Polyline polygon;
+        for (const std::uint32_t corner : bands.corners_of(k))
+            polygon.push_back(bands.points[corner]);
+        area.at(bands.polygons[k].band) += signed_area(polygon);
+    }
+    // 2 u + v below 2 is a triangle; below 5 a trapezium, as above.
+    EXPECT_NEAR(area[0], 1.0, area_rounding);
+    EXPECT_NEAR(area[1], 3.0 * (2.5 + 1.0) / 2.0 - 1.0, area_rounding);
+    EXPECT_NEAR(area[2], 12.0 - 3.0 * (2.5 + 1.0) / 2.0, area_rounding);
 }
 
 TEST(Contours, WorkOnOneRowAndOnOneCell) {

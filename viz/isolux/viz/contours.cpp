@@ -16,6 +16,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 #include "isolux/viz/smooth_field.h"
 
@@ -32,6 +33,25 @@ std::size_t choose_steps(const CellField& field) {
     const double halves = std::sqrt(triangles_wanted / (triangles_per_cell * cells));
     return 2 * static_cast<std::size_t>(std::clamp(halves, 1.0, 16.0));
 }
+
+/// The nodes that smooth_to_lattice finds values for, row by row.
+struct Lattice {
+    explicit Lattice(const CellField& field)
+        : steps(choose_steps(field)), columns(field.counts.columns * steps + 1),
+          rows(field.counts.rows * steps + 1), width(field.width), height(field.height) {}
+
+    [[nodiscard]] Point2 place_of(std::size_t node) const noexcept {
+        const double u = static_cast<double>(node % columns) / static_cast<double>(columns - 1);
+        const double v = static_cast<double>(node / columns) / static_cast<double>(rows - 1);
+        return {width * u, height * v};
+    }
+
+    std::size_t steps;
+    std::size_t columns;
+    std::size_t rows;
+    double width;
+    double height;
+};
 
 void fill_cell(vtkCellArray& triangles,
                std::size_t column,
@@ -53,29 +73,31 @@ void fill_cell(vtkCellArray& triangles,
 }
 
 vtkNew<vtkPolyData> make_triangles(const CellField& field) {
-    const std::size_t steps = choose_steps(field);
+    const Lattice lattice(field);
+    const std::size_t steps = lattice.steps;
     const ValueTable nodes =
         smooth_to_lattice({field.counts.columns, field.counts.rows, field.values}, steps);
+    const auto most_points = static_cast<vtkIdType>(nodes.values.size());
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
+    points->Allocate(most_points);
     vtkNew<vtkDoubleArray> values;
+    values->Allocate(most_points);
     std::vector<vtkIdType> ids(nodes.values.size(), -1);
-    for (std::size_t j = 0; j < nodes.rows; ++j)
-        for (std::size_t i = 0; i < nodes.columns; ++i) {
-            const double value = nodes.at(i, j);
-            if (std::isnan(value))
-                continue;
-            const double u = static_cast<double>(i) / static_cast<double>(nodes.columns - 1);
-            const double v = static_cast<double>(j) / static_cast<double>(nodes.rows - 1);
-            ids[j * nodes.columns + i] =
-                points->InsertNextPoint(field.width * u, field.height * v, 0.0);
-            values->InsertNextValue(value);
-        }
+    for (std::size_t n = 0; n < nodes.values.size(); ++n) {
+        if (std::isnan(nodes.values[n]))
+            continue;
+        const Point2 place = lattice.place_of(n);
+        ids[n] = points->InsertNextPoint(place.x, place.y, 0.0);
+        values->InsertNextValue(nodes.values[n]);
+    }
+    const auto most_triangles = static_cast<vtkIdType>(2 * steps * steps * field.values.size());
     vtkNew<vtkCellArray> triangles;
+    triangles->AllocateExact(most_triangles, 3 * most_triangles);
     for (std::size_t row = 0; row < field.counts.rows; ++row)
         for (std::size_t column = 0; column < field.counts.columns; ++column)
             if (!std::isnan(field.values[row * field.counts.columns + column]))
-                fill_cell(*triangles, column, row, steps, nodes.columns, ids);
+                fill_cell(*triangles, column, row, steps, lattice.columns, ids);
     vtkNew<vtkPolyData> data;
     data->SetPoints(points);
     data->SetPolys(triangles);
@@ -83,23 +105,31 @@ vtkNew<vtkPolyData> make_triangles(const CellField& field) {
     return data;
 }
 
+vtkSmartPointer<vtkPolyData> cut_triangles(const CellField& field,
+                                           std::span<const double> levels) {
+    vtkNew<vtkPolyData> triangles = make_triangles(field);
+    if (levels.empty() || triangles->GetNumberOfPolys() == 0)
+        return triangles;
+    vtkNew<vtkBandedPolyDataContourFilter> filter;
+    filter->SetInputData(triangles);
+    filter->SetNumberOfContours(static_cast<int>(levels.size()));
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        filter->SetValue(static_cast<int>(k), levels[k]);
+    filter->SetScalarModeToValue();
+    filter->SetClipTolerance(1e-12);
+    filter->Update();
+    return filter->GetOutput();
+}
+
 } // namespace
 
 Bands cut_into_bands(const CellField& field, std::span<const double> levels) {
-    const vtkNew<vtkPolyData> triangles = make_triangles(field);
-    vtkNew<vtkBandedPolyDataContourFilter> filter;
-    vtkPolyData* cut = triangles;
-    if (!levels.empty() && triangles->GetNumberOfPolys() > 0) {
-        filter->SetInputData(triangles);
-        filter->SetNumberOfContours(static_cast<int>(levels.size()));
-        for (std::size_t k = 0; k < levels.size(); ++k)
-            filter->SetValue(static_cast<int>(k), levels[k]);
-        filter->SetScalarModeToValue();
-        filter->SetClipTolerance(1e-12);
-        filter->Update();
-        cut = filter->GetOutput();
-    }
+    const vtkSmartPointer<vtkPolyData> cut = cut_triangles(field, levels);
     Bands bands;
+    bands.points.reserve(static_cast<std::size_t>(cut->GetNumberOfPoints()));
+    bands.corners.reserve(
+        static_cast<std::size_t>(cut->GetPolys()->GetNumberOfConnectivityIds()));
+    bands.polygons.reserve(static_cast<std::size_t>(cut->GetNumberOfPolys()));
     for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p) {
         const double* x = cut->GetPoint(p);
         bands.points.push_back({x[0], x[1]});
@@ -108,16 +138,15 @@ Bands cut_into_bands(const CellField& field, std::span<const double> levels) {
     vtkNew<vtkIdList> corners;
     cut->GetPolys()->InitTraversal();
     while (cut->GetPolys()->GetNextCell(corners) != 0) {
-        std::vector<std::size_t> polygon;
         double sum = 0.0;
         for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) {
-            polygon.push_back(static_cast<std::size_t>(corners->GetId(k)));
+            bands.corners.push_back(static_cast<std::uint32_t>(corners->GetId(k)));
             sum += values->GetTuple1(corners->GetId(k));
         }
-        const double mean = sum / static_cast<double>(polygon.size());
+        const double mean = sum / static_cast<double>(corners->GetNumberOfIds());
         const auto above = std::upper_bound(levels.begin(), levels.end(), mean);
-        bands.band.push_back(static_cast<std::size_t>(above - levels.begin()));
-        bands.polygons.push_back(std::move(polygon));
+        bands.polygons.push_back({static_cast<std::uint32_t>(bands.corners.size()),
+                                  static_cast<std::uint32_t>(above - levels.begin())});
     }
     return bands;
 }
@@ -132,37 +161,68 @@ struct BorderEdge {
     std::optional<std::size_t> right; ///< on the right
 };
 
-std::vector<BorderEdge> find_borders(const Bands& bands) {
-    struct Side {
-        std::size_t low, high, band;
-        bool ascends;
-    };
+/// A side of a polygon, seen from the lower of its two points.
+struct Side {
+    std::uint32_t high;
+    std::uint32_t band : 31;
+    std::uint32_t ascends : 1; ///< the polygon lies on the left of low -> high
 
+    friend bool operator<(const Side& x, const Side& y) noexcept {
+        return std::tuple(x.high, +x.ascends, +x.band)
+               < std::tuple(y.high, +y.ascends, +y.band);
+    }
+};
+
+/// The sides of all polygons by their lower points: there are millions, but few at a point.
+struct Sides {
+    std::vector<std::size_t> begin; ///< by point, and the end of all
     std::vector<Side> sides;
+};
+
+/// Calls `visit` with the two ends of every side, counter-clockwise, and its band.
+template <class Visit> void visit_sides(const Bands& bands, const Visit& visit) {
     for (std::size_t c = 0; c < bands.polygons.size(); ++c) {
-        const std::vector<std::size_t>& polygon = bands.polygons[c];
+        const std::span<const std::uint32_t> polygon = bands.corners_of(c);
         for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const std::size_t a = polygon[k];
-            const std::size_t b = polygon[(k + 1) % polygon.size()];
+            const std::uint32_t a = polygon[k];
+            const std::uint32_t b = polygon[(k + 1) % polygon.size()];
             if (a != b)
-                sides.push_back({std::min(a, b), std::max(a, b), bands.band[c], a < b});
+                visit(a, b, bands.polygons[c].band);
         }
     }
-    std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
-        return std::tie(x.low, x.high, x.ascends, x.band)
-               < std::tie(y.low, y.high, y.ascends, y.band);
+}
+
+Sides sort_sides(const Bands& bands) {
+    Sides s;
+    s.begin.assign(bands.points.size() + 1, 0);
+    visit_sides(bands, [&](std::uint32_t a, std::uint32_t b, std::uint32_t) {
+        ++s.begin[std::min(a, b)];
     });
+    std::size_t sum = 0;
+    for (std::size_t& b : s.begin)
+        b = sum += b;
+    s.sides.resize(sum);
+    // Filled from behind, what was the end of a point's sides becomes their begin.
+    visit_sides(bands, [&](std::uint32_t a, std::uint32_t b, std::uint32_t band) {
+        s.sides[--s.begin[std::min(a, b)]] = {std::max(a, b), band, a < b ? 1U : 0U};
+    });
+    return s;
+}
+
+std::vector<BorderEdge> find_borders(const Bands& bands) {
+    Sides s = sort_sides(bands);
     std::vector<BorderEdge> borders;
-    for (std::size_t k = 0; k < sides.size(); ++k) {
-        BorderEdge e{sides[k].low, sides[k].high, {}, {}};
-        for (;; ++k) {
-            (sides[k].ascends ? e.left : e.right) = sides[k].band;
-            if (k + 1 == sides.size() || sides[k + 1].low != e.from
-                || sides[k + 1].high != e.to)
-                break;
+    for (std::size_t low = 0; low + 1 < s.begin.size(); ++low) {
+        const std::span sides =
+            std::span(s.sides).subspan(s.begin[low], s.begin[low + 1] - s.begin[low]);
+        std::sort(sides.begin(), sides.end());
+        for (std::size_t k = 0; k < sides.size();) {
+            BorderEdge e{low, sides[k].high, {}, {}};
+            for (; k < sides.size() && sides[k].high == e.to; ++k)
+                (sides[k].ascends != 0 ? e.left : e.right) = sides[k].band;
+            if (e.left != e.right)
+                borders.push_back(e);
         }
-        if (e.left != e.right)
-            borders.push_back(e);
     }
     return borders;
 }
@@ -173,8 +233,9 @@ struct DirectedEdge {
 };
 
 /// Joins edges end to end: open chains from where they begin, then rings.
-std::vector<Polyline> chain(const std::vector<DirectedEdge>& edges,
-                            const std::vector<Point2>& points) {
+/// @param place_of  Point2 of a point's number
+template <class PlaceOf>
+std::vector<Polyline> chain(const std::vector<DirectedEdge>& edges, const PlaceOf& place_of) {
     std::multimap<std::size_t, std::size_t> leaving;
     std::map<std::size_t, int> balance;
     for (const DirectedEdge& e : edges) {
@@ -184,12 +245,12 @@ std::vector<Polyline> chain(const std::vector<DirectedEdge>& edges,
     }
     std::vector<Polyline> lines;
     const auto follow = [&](std::size_t start) {
-        Polyline line{points[start]};
+        Polyline line{place_of(start)};
         std::size_t at = start;
         for (auto next = leaving.find(at); next != leaving.end(); next = leaving.find(at)) {
             at = next->second;
             leaving.erase(next);
-            line.push_back(points[at]);
+            line.push_back(place_of(at));
             if (at == start)
                 break;
         }
@@ -275,17 +336,47 @@ CellField fill_cells(CellField field, const std::vector<bool>& wanted) {
 std::vector<Contour> make_contours(const CellField& field, std::span<const double> levels) {
     const Bands bands = cut_into_bands(field, levels);
     const std::vector<BorderEdge> borders = find_borders(bands);
+    const auto place_of = [&](std::size_t point) { return bands.points[point]; };
     std::vector<Contour> contours;
     for (std::size_t k = 0; k < levels.size(); ++k)
         contours.push_back({levels[k],
-                            chain(edges_around(borders, k + 1, false), bands.points),
-                            chain(edges_around(borders, k + 1, true), bands.points)});
+                            chain(edges_around(borders, k + 1, false), place_of),
+                            chain(edges_around(borders, k + 1, true), place_of)});
     return contours;
 }
 
 std::vector<Polyline> outline_of_cells(const CellField& field) {
-    const Bands bands = cut_into_bands(field, {});
-    return chain(edges_around(find_borders(bands), 0, false), bands.points);
+    const Lattice lattice(field);
+    const auto has_value = [&](std::size_t column, std::size_t row) { // beyond 0 is far beyond
+        return column < field.counts.columns && row < field.counts.rows
+               && !std::isnan(field.values[row * field.counts.columns + column]);
+    };
+    std::vector<DirectedEdge> edges; // nodes, the valued cells on the left
+    const auto add_side = [&](std::size_t from, std::ptrdiff_t stride) {
+        for (std::size_t k = 0; k < lattice.steps; ++k, from = edges.back().to)
+            edges.push_back({from, from + static_cast<std::size_t>(stride)});
+    };
+    const std::size_t across = lattice.steps;
+    const std::size_t up = lattice.steps * lattice.columns;
+    const auto row_stride = static_cast<std::ptrdiff_t>(lattice.columns);
+    for (std::size_t row = 0; row < field.counts.rows; ++row)
+        for (std::size_t column = 0; column < field.counts.columns; ++column) {
+            if (!has_value(column, row))
+                continue;
+            const std::size_t corner = row * up + column * across;
+            if (!has_value(column, row - 1))
+                add_side(corner, 1);
+            if (!has_value(column + 1, row))
+                add_side(corner + across, row_stride);
+            if (!has_value(column, row + 1))
+                add_side(corner + across + up, -1);
+            if (!has_value(column - 1, row))
+                add_side(corner + up, -row_stride);
+        }
+    std::sort(edges.begin(), edges.end(), [](const DirectedEdge& x, const DirectedEdge& y) {
+        return std::minmax(x.from, x.to) < std::minmax(y.from, y.to);
+    });
+    return chain(edges, [&](std::size_t node) { return lattice.place_of(node); });
 }
 
 } // namespace isolux

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,9 +35,21 @@ struct Contour {
 
 /// The field cut along its contours by VTK: polygons, each inside one band between two levels.
 struct Bands {
-    std::vector<Point2> points;                     ///< metres in the grid's own (u, v)
-    std::vector<std::vector<std::size_t>> polygons; ///< counter-clockwise
-    std::vector<std::size_t> band; ///< of each polygon: how many levels are at or below it
+    struct Polygon {
+        std::uint32_t end = 0;  ///< where its corners end and those of the next begin
+        std::uint32_t band = 0; ///< how many levels are at or below it
+    };
+
+    std::vector<Point2> points;         ///< metres in the grid's own (u, v)
+    std::vector<std::uint32_t> corners; ///< points, of one polygon after the other
+    std::vector<Polygon> polygons;
+
+    /// Counter-clockwise.
+    [[nodiscard]] std::span<const std::uint32_t>
+    corners_of(std::size_t polygon) const noexcept {
+        const std::size_t begin = polygon > 0 ? polygons[polygon - 1].end : 0;
+        return std::span(corners).subspan(begin, polygons[polygon].end - begin);
+    }
 };
 
 /// @param levels  ascending

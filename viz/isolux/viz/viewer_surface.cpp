@@ -64,10 +64,11 @@ vtkNew<vtkPolyData> make_bands(const SurfaceResult& result, const MapScale& scal
     vtkNew<vtkCellArray> polys;
     Colours colours;
     for (std::size_t k = 0; k < bands.polygons.size(); ++k) {
-        polys->InsertNextCell(static_cast<int>(bands.polygons[k].size()));
-        for (const std::size_t corner : bands.polygons[k])
-            polys->InsertCellPoint(static_cast<vtkIdType>(corner));
-        colours.add(scale.colours[bands.band[k]]);
+        const std::span<const std::uint32_t> corners = bands.corners_of(k);
+        polys->InsertNextCell(static_cast<int>(corners.size()));
+        for (const std::uint32_t corner : corners)
+            polys->InsertCellPoint(corner);
+        colours.add(scale.colours[bands.polygons[k].band]);
     }
     vtkNew<vtkPolyData> data;
     data->SetPoints(points);
