@@ -27,9 +27,23 @@ Estimate estimate_from_replicates(std::span<const double> replicates) noexcept {
 
 double student_quantile(double confidence, double degrees_of_freedom) {
     ISOLUX_EXPECT(confidence > 0.0 && confidence < 1.0 && degrees_of_freedom >= 1.0);
-    const boost::math::students_t distribution(degrees_of_freedom);
-    return boost::math::quantile(
-        boost::math::complement(distribution, 0.5 * (1.0 - confidence)));
+
+    struct Answer {
+        double confidence = 0.0;
+        double degrees_of_freedom = 0.0;
+        double quantile = 0.0;
+    };
+
+    // Slow to find, and a million points ask for the same one.
+    thread_local Answer last;
+    if (confidence != last.confidence || degrees_of_freedom != last.degrees_of_freedom) {
+        const boost::math::students_t distribution(degrees_of_freedom);
+        last = {confidence,
+                degrees_of_freedom,
+                boost::math::quantile(
+                    boost::math::complement(distribution, 0.5 * (1.0 - confidence)))};
+    }
+    return last.quantile;
 }
 
 Interval confidence_interval(const Estimate& e, double confidence) {
