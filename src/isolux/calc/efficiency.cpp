@@ -19,7 +19,7 @@ constexpr std::uint64_t reference_seed_step = 0x100000000ULL;
 
 constexpr std::size_t most_units = 1U << 16U;
 constexpr std::size_t most_rays = 1U << 15U;
-constexpr int turns = 5;
+constexpr int turns = 40;
 
 std::vector<Estimate> values_of(const Results& results) {
     std::vector<Estimate> values;
