@@ -170,9 +170,8 @@ double RayCaster::Implementation::pass_panes(const Vector3& from,
     return passed;
 }
 
-std::uint32_t
-RayCaster::Implementation::near_panes(std::span<const SightSegment> segments,
-                                      std::uint32_t wanted) const noexcept {
+std::uint32_t RayCaster::Implementation::near_panes(std::span<const SightSegment> segments,
+                                                    std::uint32_t wanted) const noexcept {
     std::uint32_t near = 0;
     for (std::uint32_t rest = pane_scene ? wanted : 0U; rest != 0; rest &= rest - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(rest));

@@ -110,6 +110,9 @@ LightTree::LightTree(const Scene& scene) {
     nodes_.emplace_back();
     build(0, members);
     leaves_ = {};
+    glows_.reserve(nodes_.size());
+    for (const Node& node : nodes_)
+        glows_.push_back(glow_of(node.bounds));
 }
 
 std::size_t LightTree::split(std::span<std::uint32_t> members) const {
@@ -194,8 +197,8 @@ descend(std::span<const LightTree::Node> nodes, std::uint32_t node, double u, We
     double probability = 1.0;
     while (!nodes[node].is_leaf()) {
         const std::uint32_t left = nodes[node].left;
-        const double a = weigh(nodes[left].bounds);
-        const double b = weigh(nodes[left + 1].bounds);
+        const double a = weigh(left);
+        const double b = weigh(left + 1);
         const double sum = a + b;
         if (!(sum > 0.0))
             return {};
@@ -217,16 +220,19 @@ descend(std::span<const LightTree::Node> nodes, std::uint32_t node, double u, We
 
 LightTree::Pick
 LightTree::pick(std::uint32_t node, const Receiver& receiver, double u) const noexcept {
-    return descend(
-        nodes_, node, u, [&](const LightBounds& b) { return upper_bound(b, receiver); });
+    return descend(nodes_, node, u, [&](std::uint32_t n) {
+        return upper_bound(nodes_[n].bounds, receiver);
+    });
 }
 
 LightTree::Pick LightTree::pick(const Point3& place, double u) const noexcept {
     if (nodes_.empty())
         return {};
-    Pick p = descend(nodes_, 0, u, [&](const LightBounds& b) { return importance(b, place); });
+    Pick p = descend(nodes_, 0, u, [&](std::uint32_t n) {
+        return static_cast<double>(importance(glows_[n], place));
+    });
     // A tree of one leaf is never weighed on the way.
-    if (nodes_.size() == 1 && !(importance(nodes_[0].bounds, place) > 0.0))
+    if (nodes_.size() == 1 && !(importance(glows_[0], place) > 0.0F))
         p.probability = 0.0;
     return p;
 }
@@ -238,8 +244,8 @@ double LightTree::probability(const Point3& place, std::size_t luminaire) const 
     double probability = 1.0;
     while (node != 0) {
         const std::uint32_t left = nodes_[nodes_[node].parent].left;
-        const double a = importance(nodes_[left].bounds, place);
-        const double b = importance(nodes_[left + 1].bounds, place);
+        const auto a = static_cast<double>(importance(glows_[left], place));
+        const auto b = static_cast<double>(importance(glows_[left + 1], place));
         const double own = node == left ? a : b;
         if (!(own > 0.0))
             return 0.0;

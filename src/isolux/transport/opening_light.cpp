@@ -23,7 +23,7 @@ constexpr double least_clearance = 1e-3;
 /// Two rules in a row that agree to this share are believed.
 constexpr double agreement = 2e-5;
 
-constexpr std::array<std::size_t, 8> orders{2, 3, 4, 6, 9, 12, 18, 27};
+constexpr std::array<std::size_t, 9> orders{1, 2, 3, 4, 6, 9, 12, 18, 27};
 
 /// A rule's points stand no farther apart than this, rad, as seen from the receiver: about the
 /// step of a table, so that no beam hides between them.
@@ -168,17 +168,19 @@ std::optional<double> OpeningLight::integrate(std::size_t facet,
     }
     const double extent =
         l.opening.largest_dimension / distance(at_, l.placement.world_from_luminaire.origin);
-    std::size_t first = 1;
+    std::size_t first = extent <= widest_step ? 1 : 2; // the second rule
     while (first < orders.size() && widest_step * static_cast<double>(orders[first]) < extent)
         ++first;
-    // Two rules may agree by chance; three rarely do.
+    // Two rules may agree by chance; three rarely do. Who takes anything takes the second,
+    // but no darkness.
     constexpr double coarser = 4.0; // the first of them
     double before = apply_rule(facet, orders[first - 1]);
     double change = 0.0;
     for (std::size_t i = first; i < orders.size(); ++i) {
         const double now = apply_rule(facet, orders[i]);
         const double last_change = std::exchange(change, std::abs(now - before));
-        if (i > first
+        const bool may_end = i > first || (std::isinf(negligible) && now > 0.0);
+        if (may_end
             && std::max(change, last_change / coarser) <= std::max(agreement * now, negligible))
             return now;
         before = now;
