@@ -182,8 +182,8 @@ double upper_bound(const LightBounds& b, const Receiver& receiver) noexcept {
 }
 
 LightGlow glow_of(const LightBounds& b) noexcept {
-    // Of single precision, and of arc_cosine twice.
-    constexpr double doubt = 2e-4;
+    // Of single precision, worst where an angle is small, and of arc_cosine twice.
+    constexpr double doubt = 1e-3;
     LightGlow g;
     g.middle = midpoint(b.lower, b.upper);
     g.radius = static_cast<float>(0.5 * distance(b.lower, b.upper));

@@ -83,6 +83,10 @@ TEST(LightBounds, AreNeverBelowTheLight) {
                     continue;
                 const double bound = upper_bound(node.bounds, receiver);
                 EXPECT_LE(light, bound * (1.0 + 1e-6)) << scenes << ' ' << i;
+                if (light > 0.0) {
+                    EXPECT_GT(importance(glow_of(node.bounds), receiver.point), 0.0F)
+                        << scenes << ' ' << i;
+                }
                 bright += light > 0.0 ? 1U : 0U;
             }
         }
@@ -103,6 +107,31 @@ TEST(LightBounds, AreTightFarOnTheAxis) {
     const double light = 1000.0 / 400.0;
     EXPECT_GE(upper_bound(bounds, receiver), light);
     EXPECT_LE(upper_bound(bounds, receiver), 1.05 * light);
+}
+
+/// The weight of a walk down the tree has no angle to lose in rounding: a beam of half a
+/// degree, looked at from just inside its edge, from near and from afar, and far from the
+/// origin.
+TEST(LightBounds, WeighAThinBeamToItsEdge) {
+    LightBounds beam;
+    beam.lower = beam.upper = {4.1e5, 5.6e6, 30.0};
+    beam.axis = UnitVector3(Vector3{1.0, 2.0, -3.0});
+    beam.reach = std::numbers::pi / 360.0;
+    beam.count = 1.0;
+    beam.largest.front() = 1000.0;
+    const Basis basis = make_basis(beam.axis);
+    for (const double away : {0.01, 1.0, 50.0})
+        for (int turn = 0; turn < 64; ++turn) {
+            const double phi = 0.1 * turn;
+            const auto at = [&](double angle) {
+                const Vector3 local{std::sin(angle) * std::cos(phi),
+                                    std::sin(angle) * std::sin(phi),
+                                    std::cos(angle)};
+                return beam.lower + away * basis.to_world(local);
+            };
+            EXPECT_GT(importance(glow_of(beam), at(0.999 * beam.reach)), 0.0F) << away;
+            EXPECT_EQ(importance(glow_of(beam), at(beam.reach + 5e-3)), 0.0F) << away;
+        }
 }
 
 TEST(LightTree, HoldsEveryLuminaireThatShinesOnce) {
