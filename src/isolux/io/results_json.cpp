@@ -1,6 +1,8 @@
 #include "isolux/io/results_json.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 

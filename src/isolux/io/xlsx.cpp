@@ -1,14 +1,15 @@
 #include "isolux/io/xlsx.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <set>
 #include <system_error>
 #include <utility>
 
+#include <sys/resource.h>
 #include <unistd.h>
 #include <xlsxwriter.h>
 
@@ -62,17 +63,29 @@ std::string allowed(std::string name) {
     return name.empty() ? "sheet" : name;
 }
 
-/// Rows may wait in files, one for each sheet and all open at a time. A process may have 1024.
+/// Fewer rows than these may stay in memory.
+constexpr std::size_t many_rows = 10000;
+
+/// Rows may wait in files, one for each sheet and all open at a time.
 constexpr std::size_t most_sheets_in_files = 200;
 
-/// A workbook and its formats. Its sheets are filled one after the other and row by row, so
-/// that the rows need not stay in memory: they wait in temporary files beside the workbook.
+/// ... and no more than a quarter of the files that the process may open.
+std::size_t files_to_spare() noexcept {
+    rlimit limit{};
+    return getrlimit(RLIMIT_NOFILE, &limit) == 0
+               ? std::min<std::size_t>(most_sheets_in_files, limit.rlim_cur / 4)
+               : 0;
+}
+
+/// A workbook and its formats. Its sheets are filled one after the other and row by row: where
+/// rows are many they need not stay in memory, but wait in temporary files beside the workbook.
 class Workbook {
 public:
-    Workbook(const std::filesystem::path& file, std::size_t sheets) {
+    Workbook(const std::filesystem::path& file, std::size_t sheets, std::size_t rows) {
         std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
         lxw_workbook_options options{};
-        options.constant_memory = sheets <= most_sheets_in_files ? LXW_TRUE : LXW_FALSE;
+        const bool are_many = rows >= many_rows && sheets <= files_to_spare();
+        options.constant_memory = are_many ? LXW_TRUE : LXW_FALSE;
         options.tmpdir = folder.data();
         book_ = workbook_new_opt(file.c_str(), &options);
         head_ = workbook_add_format(book_);
@@ -82,7 +95,14 @@ public:
         format_set_bottom(head_, LXW_BORDER_THIN);
     }
 
-    ~Workbook() { lxw_workbook_free(book_); }
+    ~Workbook() {
+        if (book_ == nullptr)
+            return;
+        for (lxw_worksheet* sheet : sheets_) // the library closes these only where it ends well
+            if (sheet->optimize_tmpfile != nullptr)
+                std::fclose(sheet->optimize_tmpfile);
+        lxw_workbook_free(book_);
+    }
 
     Workbook(const Workbook&) = delete;
     Workbook& operator=(const Workbook&) = delete;
@@ -119,7 +139,8 @@ public:
     lxw_worksheet* add_sheet(const std::string& name) {
         lxw_worksheet* sheet = workbook_add_worksheet(book_, name.c_str());
         if (sheet == nullptr)
-            throw std::system_error(errno, std::generic_category(), name);
+            throw std::system_error(std::make_error_code(std::errc::io_error));
+        sheets_.push_back(sheet);
         return sheet;
     }
 
@@ -134,10 +155,20 @@ public:
         workbook_set_properties(book_, &properties);
     }
 
-    [[nodiscard]] lxw_error close() { return workbook_close(std::exchange(book_, nullptr)); }
+    /// @throws std::system_error
+    void close() {
+        const auto is_lost = [](const lxw_worksheet* sheet) { // the library does not look
+            FILE* rows = sheet->optimize_tmpfile;
+            return rows != nullptr && (std::fflush(rows) != 0 || std::ferror(rows) != 0);
+        };
+        if (std::ranges::any_of(sheets_, is_lost)
+            || workbook_close(std::exchange(book_, nullptr)) != LXW_NO_ERROR)
+            throw std::system_error(std::make_error_code(std::errc::io_error));
+    }
 
 private:
     lxw_workbook* book_ = nullptr;
+    std::vector<lxw_worksheet*> sheets_;
     lxw_format* head_ = nullptr;
     std::map<int, lxw_format*> numbers_;
     std::map<Decision, lxw_format*> verdicts_;
@@ -493,6 +524,11 @@ std::filesystem::path make_temporary(const std::filesystem::path& path) {
 struct Draft {
     std::filesystem::path path;
 
+    explicit Draft(std::filesystem::path file) : path(std::move(file)) {}
+
+    Draft(const Draft&) = delete;
+    Draft& operator=(const Draft&) = delete;
+
     ~Draft() {
         std::error_code ignored;
         std::filesystem::remove(path, ignored);
@@ -521,10 +557,17 @@ std::vector<std::string> sheet_names(std::span<const std::string> names,
 void write_xlsx(const std::filesystem::path& path, const ResultsDocument& document) {
     // libxlsxwriter writes files only; its file becomes ours once it is whole.
     const Draft draft{make_temporary(path)};
-    Workbook book(draft.path, document.results.surfaces.size());
-    fill(book, document);
-    if (book.close() != LXW_NO_ERROR)
-        throw WriteError(path, std::make_error_code(std::errc::io_error));
+    const auto& surfaces = document.results.surfaces;
+    std::size_t rows = 0;
+    for (const SurfaceResult& s : surfaces)
+        rows += s.points.size();
+    try {
+        Workbook book(draft.path, surfaces.size(), rows);
+        fill(book, document);
+        book.close();
+    } catch (const std::system_error& e) {
+        throw WriteError(path, e.code());
+    }
     write_file_safely(path, read_file_bytes(draft.path, FileLimits::results));
 }
 

@@ -173,7 +173,7 @@ RTCRay to_embree(const TracedRay& r) noexcept {
 template <std::size_t Width, class Rays>
 void to_embree(const RayPacket& from, std::size_t first, Rays& rays) noexcept {
     const auto copy = [first](const RayPacket::Lanes& lanes, float* to) {
-        std::memcpy(to, lanes.data() + first, Width * sizeof(float)); // a call, by std::copy_n
+        std::memcpy(to, lanes.data() + first, Width * sizeof(float)); // std::copy_n is a call
     };
     copy(from.from_x, rays.org_x);
     copy(from.from_y, rays.org_y);

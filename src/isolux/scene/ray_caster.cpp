@@ -40,8 +40,8 @@ std::optional<EmbreeScene> build(const std::vector<Piece>& pieces) {
     return EmbreeScene(corners);
 }
 
-/// The ends of METHODS "Ray tracer" (Implementation::end_of) for a packet of segments, in
-/// the ray tracer's own precision: four at a time instead of one root after the other.
+/// The ends of METHODS "Ray tracer", eq. (43), for a packet of segments: like
+/// Implementation::end_of, but in the ray tracer's own precision and four at a time.
 void find_ends(RayPacket& p) noexcept {
     const auto larger = [](float a, float b) { return a < b ? b : a; };
     for (std::size_t i = 0; i < RayPacket::width; ++i) {

@@ -77,8 +77,9 @@ public:
     /// segment and two offsets there do not count, so that `b` may touch a surface.
     [[nodiscard]] double transmittance(const Point3& a, const Point3& b) const noexcept;
 
-    /// The same for up to packet_size segments at once. Entries whose `wanted` bit is 0 are
-    /// left alone. Coherent segments (a common end, neighbouring others) are fast.
+    /// The same for up to packet_size segments at once. Results whose `wanted` bit is 0 are
+    /// left alone; their segments are read. Coherent segments (a common end, neighbouring
+    /// others) are fast.
     void transmittance16(std::span<const SightSegment> segments,
                          std::uint32_t wanted,
                          std::span<float> result) const noexcept;

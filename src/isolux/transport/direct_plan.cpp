@@ -21,7 +21,7 @@ constexpr double point_like_ratio = 40.0;
 /// once for each by itself and once for all of them together: METHODS eq. (134).
 constexpr double rule_error = 1e-4;
 
-/// More than any light: the second rule is believed.
+/// More than any light: a rough value will do.
 constexpr double anything = std::numeric_limits<double>::infinity();
 
 /// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked

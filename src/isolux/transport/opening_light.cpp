@@ -25,8 +25,8 @@ constexpr double agreement = 2e-5;
 
 constexpr std::array<std::size_t, 9> orders{1, 2, 3, 4, 6, 9, 12, 18, 27};
 
-/// A rule's points stand no farther apart than this, rad, as seen from the receiver: about the
-/// step of a table, so that no beam hides between them.
+/// The second rule's points stand no farther apart than this, rad, as seen from the receiver:
+/// about the step of a table, so that no beam hides between them.
 constexpr double widest_step = 0.1;
 
 struct Rule {
@@ -171,8 +171,8 @@ std::optional<double> OpeningLight::integrate(std::size_t facet,
     std::size_t first = extent <= widest_step ? 1 : 2; // the second rule
     while (first < orders.size() && widest_step * static_cast<double>(orders[first]) < extent)
         ++first;
-    // Two rules may agree by chance; three rarely do. Who takes anything takes the second,
-    // but no darkness.
+    // Two rules may agree by chance; three rarely do. For a rough value
+    // (negligible is infinite) two will do, unless they find nothing.
     constexpr double coarser = 4.0; // the first of them
     double before = apply_rule(facet, orders[first - 1]);
     double change = 0.0;

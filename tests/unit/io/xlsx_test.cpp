@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "isolux/io/safe_file.h"
 #include "isolux/io/xlsx.h"
@@ -47,12 +48,28 @@ TEST(Xlsx, IsAZipArchiveAndEqualForEqualResults) {
     EXPECT_EQ(folder.names().size(), 2U); // no draft is left behind
 }
 
-TEST(Xlsx, HasMoreSheetsThanAProcessMayOpenFiles) {
+/// So many rows wait in files while there are files to spare, else in memory.
+TEST(Xlsx, HasManyRowsOnMoreSheetsThanAProcessMayOpenFiles) {
     ResultsDocument document = make_document();
-    document.results.surfaces.resize(1100, document.results.surfaces.front());
-    const test::TemporaryFolder folder;
-    write_xlsx(folder.path() / "a.xlsx", document);
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"a.xlsx"});
+    SurfaceResult& first = document.results.surfaces.front();
+    first.points.resize(10000, first.points.front());
+    first.surface.receivers.resize(10000, first.surface.receivers.front());
+    SurfaceResult small = first;
+    small.points.resize(1);
+    small.surface.receivers.resize(1);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);
+    rlimit few = before;
+    few.rlim_cur = 64;
+    for (const std::size_t sheets : {1U, 200U, 201U, 1100U})
+        for (const rlimit& limit : {before, few}) {
+            document.results.surfaces.resize(sheets, small);
+            const test::TemporaryFolder folder;
+            ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &limit), 0);
+            EXPECT_NO_THROW(write_xlsx(folder.path() / "a.xlsx", document)) << sheets;
+            ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
+            EXPECT_EQ(folder.names(), std::vector<std::string>{"a.xlsx"}) << sheets;
+        }
 }
 
 TEST(Xlsx, SaysWhereItCannotBeWritten) {
