@@ -109,9 +109,8 @@ TEST(LightBounds, AreTightFarOnTheAxis) {
     EXPECT_LE(upper_bound(bounds, receiver), 1.05 * light);
 }
 
-/// The weight of a walk down the tree has no angle to lose in rounding: a beam of half a
-/// degree, looked at from just inside its edge, from near and from afar, and far from the
-/// origin.
+/// The weight of a walk down the tree loses no angle that light comes at, however it rounds: a
+/// beam of half a degree, looked at from just inside its edge, far from the origin.
 TEST(LightBounds, WeighAThinBeamToItsEdge) {
     LightBounds beam;
     beam.lower = beam.upper = {4.1e5, 5.6e6, 30.0};

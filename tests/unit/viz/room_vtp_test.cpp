@@ -26,7 +26,8 @@ Scene make_scene() {
                 {},
                 {},
                 1.0,
-                RayCaster(shapes)};
+                RayCaster(shapes),
+                {}};
     const UnitVector3 up(Vector3{0, 0, 1});
     scene.triangles = {{low, up, 0.5, MaterialId(0), SurfaceId(0)},
                        {high, up, 0.5, MaterialId(1), SurfaceId(1)}};

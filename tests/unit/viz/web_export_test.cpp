@@ -27,7 +27,7 @@ constexpr double pi = 3.14159265358979323846;
 Scene make_scene() {
     const std::array<Point3, 3> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
     const std::array<CasterTriangle, 1> shapes{{{corners}}};
-    Scene scene{{}, {}, {}, {}, {}, {}, 1.0, RayCaster(shapes)};
+    Scene scene{{}, {}, {}, {}, {}, {}, 1.0, RayCaster(shapes), {}};
     scene.luminaire_types = {
         {"panel", "", LambertianSource{Lumen(1000)}, {}, BodyModel::none, 1.0, {}},
         {"bulb", "", IsotropicSource{Lumen(400 * pi)}, {}, BodyModel::none, 1.0, {}}};
