@@ -327,17 +327,18 @@ public:
     void value(const Json& json) {
         if (json.is_primitive() || is_one_line(json)) {
             text_ += dump(json);
-            return;
-        }
-        begin(json.is_object() ? '{' : '[');
-        for (const auto& [name, member] : json.items()) {
-            if (json.is_object())
-                key(name);
-            else
+        } else if (json.is_object()) {
+            begin('{');
+            members(json);
+            end('}');
+        } else {
+            begin('[');
+            for (const Json& element : json) {
                 item();
-            value(member);
+                value(element);
+            }
+            end(']');
         }
-        end(json.is_object() ? '}' : ']');
     }
 
     void members(const Json& object) {

@@ -1,21 +1,17 @@
 #include "isolux/io/xlsx.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <set>
 #include <system_error>
 #include <utility>
 
-#include <sys/resource.h>
 #include <unistd.h>
-#include <xlsxwriter.h>
 
 #include "isolux/calc/judge.h"
 #include "isolux/io/safe_file.h"
 #include "isolux/io/text_file.h"
+#include "isolux/io/workbook.h"
 #include "isolux/measure/quantity.h"
 
 namespace isolux {
@@ -23,22 +19,6 @@ namespace isolux {
 namespace {
 
 constexpr std::size_t longest_sheet_name = 31;
-
-/// Decimals that two digits of an error need, 0 to 4.
-int decimals_of(double error) {
-    if (!(error > 0.0))
-        return 2;
-    return std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 4);
-}
-
-/// Cuts UTF-8 text to so many characters.
-std::string cut(const std::string& text, std::size_t characters) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U && ++count > characters)
-            return text.substr(0, i);
-    return text;
-}
 
 std::string lower(std::string text) {
     std::ranges::transform(text, text.begin(), [](char c) {
@@ -57,187 +37,11 @@ std::string allowed(std::string name) {
         '_');
     if (!name.empty() && name.front() == '\'')
         name.front() = '_';
-    name = cut(name, longest_sheet_name);
+    name = cut_text(name, longest_sheet_name);
     if (!name.empty() && name.back() == '\'')
         name.back() = '_';
     return name.empty() ? "sheet" : name;
 }
-
-/// Fewer rows than these may stay in memory.
-constexpr std::size_t many_rows = 10000;
-
-/// Rows may wait in files, one for each sheet and all open at a time.
-constexpr std::size_t most_sheets_in_files = 200;
-
-/// ... and no more than a quarter of the files that the process may open.
-std::size_t files_to_spare() noexcept {
-    rlimit limit{};
-    return getrlimit(RLIMIT_NOFILE, &limit) == 0
-               ? std::min<std::size_t>(most_sheets_in_files, limit.rlim_cur / 4)
-               : 0;
-}
-
-/// A workbook and its formats. Its sheets are filled one after the other and row by row: where
-/// rows are many they need not stay in memory, but wait in temporary files beside the workbook.
-class Workbook {
-public:
-    Workbook(const std::filesystem::path& file, std::size_t sheets, std::size_t rows) {
-        std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
-        lxw_workbook_options options{};
-        const bool are_many = rows >= many_rows && sheets <= files_to_spare();
-        options.constant_memory = are_many ? LXW_TRUE : LXW_FALSE;
-        options.tmpdir = folder.data();
-        book_ = workbook_new_opt(file.c_str(), &options);
-        head_ = workbook_add_format(book_);
-        format_set_bold(head_);
-        format_set_text_wrap(head_);
-        format_set_align(head_, LXW_ALIGN_VERTICAL_TOP);
-        format_set_bottom(head_, LXW_BORDER_THIN);
-    }
-
-    ~Workbook() {
-        if (book_ == nullptr)
-            return;
-        for (lxw_worksheet* sheet : sheets_) // the library closes these only where it ends well
-            if (sheet->optimize_tmpfile != nullptr)
-                std::fclose(sheet->optimize_tmpfile);
-        lxw_workbook_free(book_);
-    }
-
-    Workbook(const Workbook&) = delete;
-    Workbook& operator=(const Workbook&) = delete;
-
-    [[nodiscard]] lxw_format* head() const noexcept { return head_; }
-
-    [[nodiscard]] lxw_format* number(int decimals) {
-        lxw_format*& format = numbers_[decimals];
-        if (format == nullptr) {
-            format = workbook_add_format(book_);
-            const std::string form =
-                decimals > 0 ? "0." + std::string(static_cast<std::size_t>(decimals), '0')
-                             : "0";
-            format_set_num_format(format, form.c_str());
-        }
-        return format;
-    }
-
-    /// Words, never colour alone: the cell says "pass" and is green.
-    [[nodiscard]] lxw_format* verdict(Decision d) {
-        lxw_format*& format = verdicts_[d];
-        if (format == nullptr) {
-            format = workbook_add_format(book_);
-            format_set_bold(format);
-            format_set_bg_color(format,
-                                d == Decision::pass        ? 0xC6E5C3
-                                : d == Decision::fail      ? 0xF4C2BE
-                                : d == Decision::undecided ? 0xD9D9D9
-                                                           : 0xFFFFFF);
-        }
-        return format;
-    }
-
-    lxw_worksheet* add_sheet(const std::string& name) {
-        lxw_worksheet* sheet = workbook_add_worksheet(book_, name.c_str());
-        if (sheet == nullptr)
-            throw std::system_error(std::make_error_code(std::errc::io_error));
-        sheets_.push_back(sheet);
-        return sheet;
-    }
-
-    void set_title(const std::string& title) {
-        lxw_doc_properties properties{};
-        std::string text = cut(title, 200);
-        std::string company = "isolux";
-        properties.title = text.data();
-        properties.author = company.data();
-        constexpr time_t fixed = 1'577'836'800; // so that equal results are equal files
-        properties.created = fixed;
-        workbook_set_properties(book_, &properties);
-    }
-
-    /// @throws std::system_error
-    void close() {
-        const auto is_lost = [](const lxw_worksheet* sheet) { // the library does not look
-            FILE* rows = sheet->optimize_tmpfile;
-            return rows != nullptr && (std::fflush(rows) != 0 || std::ferror(rows) != 0);
-        };
-        if (std::ranges::any_of(sheets_, is_lost)
-            || workbook_close(std::exchange(book_, nullptr)) != LXW_NO_ERROR)
-            throw std::system_error(std::make_error_code(std::errc::io_error));
-    }
-
-private:
-    lxw_workbook* book_ = nullptr;
-    std::vector<lxw_worksheet*> sheets_;
-    lxw_format* head_ = nullptr;
-    std::map<int, lxw_format*> numbers_;
-    std::map<Decision, lxw_format*> verdicts_;
-};
-
-/// Fills a sheet row by row.
-class Sheet {
-public:
-    struct Column {
-        const char* head;
-        double width;
-    };
-
-    Sheet(Workbook& book, const std::string& name, std::vector<Column> columns)
-        : book_(book), sheet_(book.add_sheet(name)) {
-        for (const Column& c : columns) {
-            worksheet_set_column(sheet_, column_, column_, c.width, nullptr);
-            worksheet_write_string(sheet_, 0, column_++, c.head, book.head());
-        }
-        worksheet_freeze_panes(sheet_, 1, 0);
-        worksheet_repeat_rows(sheet_, 0, 0);
-        worksheet_set_landscape(sheet_);
-        worksheet_set_paper(sheet_, 9); // A4
-        worksheet_fit_to_pages(sheet_, 1, 0);
-        next_row();
-    }
-
-    void next_row() {
-        ++row_;
-        column_ = 0;
-    }
-
-    Sheet& text(const std::string& t, lxw_format* format = nullptr) {
-        worksheet_write_string(sheet_, row_, column_++, cut(t, 32000).c_str(), format);
-        return *this;
-    }
-
-    /// With the decimals that the error deserves. What is no number leaves the cell empty.
-    Sheet& number(double value, double error) { return plain(value, decimals_of(error)); }
-
-    Sheet& plain(double value, int decimals) {
-        if (std::isfinite(value))
-            worksheet_write_number(sheet_, row_, column_, value, book_.number(decimals));
-        ++column_;
-        return *this;
-    }
-
-    Sheet& skip() {
-        ++column_;
-        return *this;
-    }
-
-    /// Value, standard error and both ends of the interval.
-    Sheet& estimate(const Estimate& e, double confidence) {
-        if (e.samples == 0)
-            return skip().skip().skip().skip();
-        const Interval i = confidence_interval(e, confidence);
-        return number(e.mean, e.standard_error)
-            .number(e.standard_error, e.standard_error)
-            .number(i.lower, e.standard_error)
-            .number(i.upper, e.standard_error);
-    }
-
-private:
-    Workbook& book_;
-    lxw_worksheet* sheet_;
-    lxw_row_t row_ = 0;
-    lxw_col_t column_ = 0;
-};
 
 void add_summary(Workbook& book, const Results& r) {
     Sheet s(book,
@@ -547,7 +351,7 @@ std::vector<std::string> sheet_names(std::span<const std::string> names,
         std::string sheet = allowed(name);
         for (int n = 2; !taken.insert(lower(sheet)).second; ++n) {
             const std::string ending = " (" + std::to_string(n) + ")";
-            sheet = cut(allowed(name), longest_sheet_name - ending.size()) + ending;
+            sheet = cut_text(allowed(name), longest_sheet_name - ending.size()) + ending;
         }
         sheets.push_back(std::move(sheet));
     }

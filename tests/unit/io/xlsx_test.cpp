@@ -1,3 +1,4 @@
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,26 @@ TEST(Xlsx, HasManyRowsOnMoreSheetsThanAProcessMayOpenFiles) {
             ASSERT_EQ(setrlimit(RLIMIT_NOFILE, &before), 0);
             EXPECT_EQ(folder.names(), std::vector<std::string>{"a.xlsx"}) << sheets;
         }
+}
+
+/// The disk is full when rows that wait in files are to be written, but has room for what is
+/// left of them.
+TEST(Xlsx, LosesNoRowsInSilence) {
+    ResultsDocument document = make_document();
+    SurfaceResult& first = document.results.surfaces.front();
+    first.points.resize(20000, first.points.front());
+    first.surface.receivers.resize(20000, first.surface.receivers.front());
+    const test::TemporaryFolder folder;
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit little = before;
+    little.rlim_cur = 1U << 20U;
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
+    EXPECT_THROW(write_xlsx(folder.path() / "a.xlsx", document), WriteError);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_TRUE(folder.names().empty());
 }
 
 TEST(Xlsx, SaysWhereItCannotBeWritten) {
