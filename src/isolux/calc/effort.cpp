@@ -65,8 +65,9 @@ Outcome outcome_of(const SharedTask& task, const Effort& effort) {
         const PointEffort& e = effort.at[c];
         sum.variance +=
             share * (model.of(effort.paths, e, effort.weighing) + model.of_direct(e));
+        const double gathering = task.reach.share(c, effort.paths);
         sum.cost += share
-                    * (task.costs.of(effort.paths, e, points, effort.weighing)
+                    * (task.costs.of(effort.paths, e, points, effort.weighing, gathering)
                        + task.costs.look * model.look_samples * static_cast<double>(e.looks));
     }
     return sum;
@@ -83,20 +84,24 @@ best_effort(const SharedTask& task, std::size_t paths, Weighing weighing, Cost&&
         Effort effort;
         effort.paths = paths;
         effort.weighing = weighing;
-        for (std::size_t c = 0; c < point_classes; ++c)
+        for (std::size_t c = 0; c < point_classes; ++c) {
+            const double direction = task.costs.direction_of(task.reach.share(c, paths));
             effort.at[c] = {best_count(task.models[c].draws_by(weighing),
                                        price * task.costs.draw_by(weighing),
                                        fewest_draws,
                                        most_draws),
-                            best_count(task.models[c].directions_beside(paths),
-                                       price * task.costs.direction,
-                                       1,
-                                       most_directions),
+                            direction == 0.0
+                                ? 1 // nobody gathers
+                                : best_count(task.models[c].directions_beside(paths),
+                                             price * direction,
+                                             1,
+                                             most_directions),
                             best_count(task.models[c].direct,
                                        price * task.costs.look * task.models[c].look_samples,
                                        1,
                                        most_looks,
                                        2.0)};
+        }
         const double cost = total_cost(outcome_of(task, effort));
         if (least == 0.0 || cost < least) {
             least = cost;
@@ -133,6 +138,24 @@ double price_of(const Outcome& o) { return o.variance * o.cost; }
 
 } // namespace
 
+void GatherReach::add(PointClass c, double ahead) noexcept {
+    // gathers beside 2^k paths while 2^k < area / ahead^2
+    const double limit = area_ / std::max(ahead * ahead, 1e-12);
+    const double k = std::clamp(std::ceil(std::log2(limit)), 0.0, double{doublings});
+    ++counts_[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)];
+}
+
+double GatherReach::share(std::size_t c, std::size_t paths) const noexcept {
+    std::size_t all = 0;
+    std::size_t gather = 0;
+    for (std::size_t k = 0; k <= doublings; ++k) {
+        all += counts_[c][k];
+        if (k > static_cast<std::size_t>(std::countr_zero(paths)))
+            gather += counts_[c][k];
+    }
+    return all == 0 ? 1.0 : static_cast<double>(gather) / static_cast<double>(all);
+}
+
 double VarianceModel::draws_by(Weighing weighing) const noexcept {
     return weighing == Weighing::tree ? draws + variance_of_tree * light : draws;
 }
@@ -156,14 +179,15 @@ double VarianceModel::of_direct(const PointEffort& e) const noexcept {
 double UnitCosts::of(std::size_t m,
                      const PointEffort& e,
                      std::size_t points,
-                     Weighing weighing) const noexcept {
+                     Weighing weighing,
+                     double gathering) const noexcept {
     const auto all = static_cast<double>(std::max<std::size_t>(1, points));
     const auto paths = static_cast<double>(m);
     const double shared = path_by(weighing) / all;
     const double weighed =
         weighing == Weighing::tree ? paths * shared + cut : paths * (shared + pair);
     return weighed + static_cast<double>(e.draws) * draw_by(weighing)
-           + static_cast<double>(e.directions) * direction + point;
+           + static_cast<double>(e.directions) * direction_of(gathering) + point;
 }
 
 std::size_t SharedTask::all() const noexcept {
@@ -176,7 +200,8 @@ std::size_t SharedTask::all() const noexcept {
 UnitCosts make_unit_costs(const Scene& scene,
                           double vertices_per_path,
                           double chain_length,
-                          double images) {
+                          double images,
+                          bool mirrors) {
     // Calibrated with tests/bench on one core of a server of 2023.
     const double triangles =
         static_cast<double>(std::max<std::size_t>(2, scene.triangles.size()));
@@ -189,6 +214,7 @@ UnitCosts make_unit_costs(const Scene& scene,
     c.pair = 0.4 * vertices_per_path;
     c.draw = 25.0 + 35.0 * depth;
     c.direction = next_event + 260.0 * depth;
+    c.glance = mirrors ? 160.0 * depth : 0.0;
     const double image = images * (next_event + 420.0 * depth);
     c.sample = (chain_length + 0.5) * (next_event + image + 220.0 * depth);
     c.look = c.draw;

@@ -11,15 +11,44 @@ namespace isolux {
 
 /// Points of a kind: what is efficient for one of them is so for the others.
 enum class PointClass : std::uint8_t {
-    open,  ///< no second surface within half a metre
-    near,  ///< one nearer than that
+    open,  ///< nothing that could send it light within half a metre
+    near,  ///< something nearer than that
     close, ///< than a quarter of a metre
-    edge   ///< than a hand's breadth
+    next   ///< than a hand's breadth
 };
 
 inline constexpr std::size_t point_classes = 4;
 
 template <class T> using ByClass = std::array<T, point_classes>;
+
+/// Which points gather beside M light paths, METHODS eq. (140): vertices lie so close together
+/// that only surfaces nearby need gather rays as well.
+class GatherReach {
+public:
+    /// All gather, whatever lies around them.
+    GatherReach() = default;
+
+    /// @param area  of all surfaces, both sides, m2
+    explicit GatherReach(double area) noexcept : area_(area) {}
+
+    /// @param ahead  distance to the nearest surface that could send a point light, m
+    [[nodiscard]] bool includes(double ahead, double paths) const noexcept {
+        return area_ == 0.0 || ahead * ahead * paths < area_;
+    }
+
+    /// Counts a point for share(). @pre made with an area
+    void add(PointClass c, double ahead) noexcept;
+
+    /// Share of the points of a class that gather, where there are any; 1 where none was
+    /// counted. @pre `paths` a power of two
+    [[nodiscard]] double share(std::size_t c, std::size_t paths) const noexcept;
+
+private:
+    static constexpr std::size_t doublings = 32;
+
+    double area_ = 0.0;
+    ByClass<std::array<std::size_t, doublings + 1>> counts_{}; ///< by doublings of M until which
+};
 
 /// What is spent on a point in one unit of one replicate, beside the light paths.
 struct PointEffort {
@@ -92,6 +121,7 @@ struct UnitCosts {
     double pair = 0.0;      ///< of one path's vertices at one point
     double draw = 0.0;      ///< of one shadow ray
     double direction = 0.0; ///< of one gather ray and its two connections
+    double glance = 0.0;    ///< of one that looks for mirrors only; 0: there are none
     double sample = 0.0;    ///< of one traced path
     double look = 0.0;      ///< of one sample of direct light
     double point = 0.0;     ///< of a point's unit whatever it holds
@@ -108,27 +138,36 @@ struct UnitCosts {
         return weighing == Weighing::tree ? draw + descent : draw;
     }
 
+    /// Of a gather ray, mean over points of which a share gathers.
+    [[nodiscard]] double direction_of(double gathering) const noexcept {
+        return gathering * direction + (1.0 - gathering) * glance;
+    }
+
     /// Of LE-MIS, one unit and one point among `points` that share the M light paths, without
-    /// direct light.
+    /// direct light. @param gathering  share of the points that do
     [[nodiscard]] double of(std::size_t m,
                             const PointEffort& e,
                             std::size_t points,
-                            Weighing weighing = Weighing::all) const noexcept;
+                            Weighing weighing = Weighing::all,
+                            double gathering = 1.0) const noexcept;
 };
 
 /// @param vertices_per_path  of the pilot, with all branches
 /// @param chain_length       of a path without them
-/// @param images  how often traced paths look for a luminaire in mirrors, 0..1 a vertex
+/// @param images   how often traced paths look for a luminaire in mirrors, 0..1 a vertex
+/// @param mirrors  whether there are any, panes included
 [[nodiscard]] UnitCosts make_unit_costs(const Scene& scene,
                                         double vertices_per_path,
                                         double chain_length,
-                                        double images);
+                                        double images,
+                                        bool mirrors = false);
 
 /// The points that share light paths: how many of each class, and what their samples are worth.
 struct SharedTask {
     ByClass<std::size_t> points{};
     ByClass<VarianceModel> models;
     UnitCosts costs;
+    GatherReach reach;
 
     [[nodiscard]] std::size_t all() const noexcept;
 };

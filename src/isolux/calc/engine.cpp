@@ -18,9 +18,9 @@ constexpr double edge_factor = 0.8;
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
 
-/// Points nearer to a second surface than these are classes of their own, m; the third border
-/// is widest_edge.
-constexpr double edge_of_class = 0.1;
+/// Points nearer than these to what could send them light are classes of their own, m; the
+/// third border is widest_edge.
+constexpr double next_to_class = 0.1;
 constexpr double close_to_class = 0.25;
 
 /// A receiver this near to a foreign surface is flagged, m.
@@ -78,6 +78,7 @@ double Engine::corner_of(double paths) const noexcept {
 void Engine::find_surroundings() {
     near_surface_.assign(receivers_.size(), 0);
     second_.resize(receivers_.size());
+    ahead_.resize(receivers_.size());
     clear_.resize(receivers_.size());
     classes_.assign(receivers_.size(), PointClass::open);
     plans_.assign(receivers_.size(), {});
@@ -87,10 +88,15 @@ void Engine::find_surroundings() {
             scene_->caster.find_nearest_surfaces(receiver.point, widest_edge);
         near_surface_[i] = d.second < too_near ? 1 : 0;
         second_[i] = static_cast<float>(d.second);
-        classes_[i] = d.second < edge_of_class    ? PointClass::edge
-                      : d.second < close_to_class ? PointClass::close
-                      : d.second < widest_edge    ? PointClass::near
-                                                  : PointClass::open;
+        const double ahead = receiver.kind == IlluminanceKind::planar
+                                 ? scene_->caster.find_nearest_ahead(
+                                     receiver.point, receiver.axis, widest_edge)
+                                 : d.nearest;
+        ahead_[i] = static_cast<float>(ahead);
+        classes_[i] = ahead < next_to_class    ? PointClass::next
+                      : ahead < close_to_class ? PointClass::close
+                      : ahead < widest_edge    ? PointClass::near
+                                               : PointClass::open;
         receiver.point = moved_off(receiver, d);
         clear_[i] = clear_point(*scene_, receiver);
     });
@@ -104,12 +110,16 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         fix_counts();
         return 1;
     }
+    if (settings_.estimator == Estimator::automatic)
+        reach_ = GatherReach(scene_->total_area);
     const double corner = corner_of(static_cast<double>(pilot_paths));
     std::vector<std::uint8_t> leaves_corners(receivers_.size());
     ByClass<std::size_t> points{};
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
         leaves_corners[i] = is_within(i, corner) ? 1 : 0;
         ++points[static_cast<std::size_t>(classes_[i])];
+        if (settings_.estimator == Estimator::automatic)
+            reach_.add(classes_[i], static_cast<double>(ahead_[i]));
     }
     PilotScene scene = pilot_scene();
     scene.leaves_corners = leaves_corners;
@@ -121,8 +131,11 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         return direct_.samples_of(plans_[i]);
     };
     pilot_ = run_pilot(scene, target);
-    costs_ = make_unit_costs(
-        *scene_, pilot_.vertices_per_path, pilot_.chain_length, images_.draws());
+    costs_ = make_unit_costs(*scene_,
+                             pilot_.vertices_per_path,
+                             pilot_.chain_length,
+                             images_.draws(),
+                             images_.scene_has_mirrors());
     const bool connects_to_paths = !settings_.direct_only
                                    && settings_.estimator != Estimator::path_tracing
                                    && !StudyEstimators::serves(settings_.estimator);
@@ -130,7 +143,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         costs_.cut = find_cost_of_cut(scene, pilot_.importance);
         pilot_.of_class[static_cast<std::size_t>(PointClass::open)].relief = relief_of_many;
     }
-    plan_ = make_work_plan(settings_, pilot_, costs_, points);
+    plan_ = make_work_plan(settings_, pilot_, costs_, points, reach_);
     effort_ = plan_.effort;
     fix_counts();
     choose_estimators();
@@ -201,6 +214,12 @@ bool Engine::takes_paths(PointEstimator e) const noexcept {
     return e != PointEstimator::path_tracing && settings_.estimator != Estimator::bidirectional;
 }
 
+/// METHODS eq. (140). Corners are walked by gather rays, whatever lies ahead.
+bool Engine::gathers(std::size_t receiver) const noexcept {
+    return is_within(receiver, counts_.corner)
+           || reach_.includes(static_cast<double>(ahead_[receiver]), counts_.paths);
+}
+
 VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) const {
     return build_vertex_cache(*scene_,
                               emission_,
@@ -232,7 +251,7 @@ void Engine::estimate_local(const VertexCache& cache,
                           clear_[i],
                           subset.uniform(i, unit),
                           effort.draws,
-                          static_cast<double>(effort.directions),
+                          gathers(i) ? static_cast<double>(effort.directions) : 0.0,
                           is_within(i, counts_.corner)});
         rays.shadow += effort.draws;
     }
@@ -266,14 +285,15 @@ void Engine::send_rays(const VertexCache& cache,
     thread_local std::vector<double> by_source;
     thread_local std::vector<double> by_material;
     const bool traces = estimator == PointEstimator::path_tracing;
+    const bool has_mirrors = images_.scene_has_mirrors();
     std::size_t rounds = 1;
     for (const std::size_t i : points)
         rounds = traces ? std::max(rounds, rounds_of(i)) : 1;
     for (std::size_t round = 0; round < rounds; ++round) {
         senders.clear();
         for (const std::size_t i : points) {
+            const bool takes_part = traces ? round < rounds_of(i) : gathers(i) || has_mirrors;
             const std::size_t samples = traces ? samples_[i] : effort_of(i).directions;
-            const bool takes_part = !traces || round < rounds_of(i);
             // A point that changes shares no number with what it had before.
             const std::uint32_t begin = traces && began_[i] != unchanged ? began_[i] : 0;
             senders.push_back(
@@ -287,14 +307,15 @@ void Engine::send_rays(const VertexCache& cache,
                  : traces    ? std::min<std::size_t>(samples, samples_at_once)
                              : samples,
                  static_cast<std::uint32_t>((unit - begin) * samples + round * samples_at_once),
-                 is_within(i, counts_.corner)});
+                 is_within(i, counts_.corner),
+                 estimator == PointEstimator::mis && gathers(i)});
         }
         sums.assign(points.size(), {});
         front.start(*scene_, emission_, images_, senders);
         if (traces) {
             front.add_tracing();
         } else {
-            front.share_with(cache, counts_, estimator == PointEstimator::mis);
+            front.share_with(cache, counts_);
             front.add_gathering();
         }
         // The points may be some of the tile's only.

@@ -118,6 +118,7 @@ private:
         return effort_.at[static_cast<std::size_t>(classes_[receiver])];
     }
 
+    [[nodiscard]] bool gathers(std::size_t receiver) const noexcept;
     [[nodiscard]] PilotScene pilot_scene() const;
     [[nodiscard]] NextLook change_estimators(std::span<const OpenPoint> open,
                                              std::size_t units);
@@ -157,6 +158,7 @@ private:
     EffectiveCounts counts_;
     UnitCosts costs_;
     Pilot pilot_;
+    GatherReach reach_;
     std::vector<Receiver> receivers_;
     std::vector<DirectPlan> plans_;
     std::vector<Point3> clear_; ///< where their rays start
@@ -166,6 +168,7 @@ private:
     double first_unit_cost_ = 0.0;     ///< all points and replicates, ns
     std::vector<std::uint32_t> samples_; ///< of a traced point, per replicate and unit
     std::vector<PointClass> classes_;
+    std::vector<float> ahead_;  ///< to the nearest that could send it light, m; up to 0.5
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;
     StudyEstimators study_;

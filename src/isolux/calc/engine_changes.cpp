@@ -40,7 +40,7 @@ std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
 
 NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     const NextLook next = change_estimators(open, units);
-    SharedTask task{{}, pilot_.of_class, costs_};
+    SharedTask task{{}, pilot_.of_class, costs_, reach_};
     for (const OpenPoint& p : open)
         if (p.refines_indirect && takes_paths(estimators_[p.receiver]))
             ++task.points[static_cast<std::size_t>(classes_[p.receiver])];
@@ -146,7 +146,11 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
 
 /// Of one unit of LE-MIS at one receiver in one replicate, without the light paths, ns.
 double Engine::own_cost(std::size_t receiver) const noexcept {
-    return costs_.of(effort_.paths, effort_of(receiver), 1, effort_.weighing)
+    return costs_.of(effort_.paths,
+                     effort_of(receiver),
+                     1,
+                     effort_.weighing,
+                     gathers(receiver) ? 1.0 : 0.0)
            - static_cast<double>(effort_.paths) * costs_.path_by(effort_.weighing);
 }
 

@@ -23,12 +23,16 @@ std::string Engine::describe() const {
     const auto count = [&](PointEstimator e) {
         return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
     };
-    // "64 (open), 128 (at edges)", for the classes that there are
-    const auto by_class = [&](std::size_t PointEffort::*what) {
-        constexpr ByClass<const char*> names{"open", "near surfaces", "close", "at edges"};
+    // "64 (open), 128 (next to surfaces)", for the classes that there are
+    const auto by_class = [&](std::size_t PointEffort::*what, const auto& is_asked) {
+        constexpr ByClass<const char*> names{
+            "open", "near surfaces", "close", "next to surfaces"};
+        ByClass<bool> asked{};
+        for (std::size_t i = 0; i < classes_.size(); ++i)
+            asked[static_cast<std::size_t>(classes_[i])] |= is_asked(i);
         std::string text;
         for (std::size_t c = 0; c < point_classes; ++c)
-            if (std::count(classes_.begin(), classes_.end(), PointClass(c)) > 0)
+            if (asked[c])
                 text += fmt::format(
                     "{}{} ({})", text.empty() ? "" : ", ", effort_.at[c].*what, names[c]);
         return text.empty() ? "none" : text;
@@ -37,7 +41,7 @@ std::string Engine::describe() const {
         fmt::format("light paths per replicate and unit: {}{}, shadow rays a point: {}",
                     effort_.paths,
                     effort_.weighing == Weighing::tree ? " (in a tree)" : "",
-                    by_class(&PointEffort::draws));
+                    by_class(&PointEffort::draws, [](std::size_t) { return true; }));
     switch (settings_.estimator) {
     case Estimator::local_estimation:
         return "local estimation; " + text;
@@ -61,7 +65,9 @@ std::string Engine::describe() const {
             pilot.empty() ? "" : "; " + pilot,
             count(PointEstimator::path_tracing),
             text,
-            by_class(&PointEffort::directions));
+            by_class(&PointEffort::directions, [this](std::size_t i) {
+                return images_.scene_has_mirrors() || gathers(i);
+            }));
     }
     }
 }

@@ -100,7 +100,7 @@ public:
             for (RayPoint& s : senders)
                 s.first = half;
             front.start(*task_.scene, *task_.emission, *task_.images, senders);
-            front.share_with(cache, counts, true);
+            front.share_with(cache, counts);
             front.add_gathering();
             front.run({sums, nullptr, {}, {}});
             for (std::size_t k = 0; k < sums.size(); ++k)

@@ -66,11 +66,15 @@ void judge_classes(WorkPlan& plan,
     SharedTask left = task;
     for (std::size_t c = 0; c < point_classes; ++c) {
         const VarianceModel& model = pilot.of_class[c];
-        SharedTask alone{{}, task.models, task.costs};
+        SharedTask alone{{}, task.models, task.costs, task.reach};
         alone.points[c] = all;
         const Effort effort = choose(settings, alone).effort;
         const double shared = model.of(effort.paths, effort.at[c], effort.weighing)
-                              * task.costs.of(effort.paths, effort.at[c], all, effort.weighing);
+                              * task.costs.of(effort.paths,
+                                              effort.at[c],
+                                              all,
+                                              effort.weighing,
+                                              task.reach.share(c, effort.paths));
         if (pilot.points[c] == 0 || !(shared > 0.0))
             continue;
         plan.advantage[c] = model.samples * task.costs.sample / shared;
@@ -90,8 +94,9 @@ void judge_classes(WorkPlan& plan,
 WorkPlan make_work_plan(const Settings& settings,
                         const Pilot& pilot,
                         const UnitCosts& costs,
-                        const ByClass<std::size_t>& points) {
-    SharedTask task{points, pilot.of_class, costs};
+                        const ByClass<std::size_t>& points,
+                        const GatherReach& reach) {
+    SharedTask task{points, pilot.of_class, costs, reach};
     WorkPlan plan;
     judge_classes(plan, task, settings, pilot);
     if (settings.estimator == Estimator::path_tracing) {
@@ -120,7 +125,7 @@ WorkPlan make_work_plan(const Settings& settings,
 
 std::string describe_advantage(const WorkPlan& plan) {
     constexpr std::array<const char*, point_classes> names{
-        "open points", "points near surfaces", "points close to surfaces", "points at edges"};
+        "open points", "points near surfaces", "points close to surfaces", "points next to surfaces"};
     std::string text;
     for (std::size_t c = 0; c < point_classes; ++c)
         if (plan.advantage[c] > 0.0)

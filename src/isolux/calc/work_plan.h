@@ -22,7 +22,8 @@ struct WorkPlan {
 [[nodiscard]] WorkPlan make_work_plan(const Settings& settings,
                                       const Pilot& pilot,
                                       const UnitCosts& costs,
-                                      const ByClass<std::size_t>& points);
+                                      const ByClass<std::size_t>& points,
+                                      const GatherReach& reach = {});
 
 /// "open points: 30 times as efficient as path tracing", ... or nothing.
 [[nodiscard]] std::string describe_advantage(const WorkPlan& plan);

@@ -351,4 +351,24 @@ SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
     return distances;
 }
 
+double RayCaster::find_nearest_ahead(const Point3& p,
+                                     const UnitVector3& normal,
+                                     double radius) const noexcept {
+    const auto& self = *implementation_;
+    const Vector3 at = p - self.centre;
+    double nearest = radius;
+    const auto visit = [&](std::uint32_t triangle) {
+        const Piece& piece = self.opaque[triangle];
+        constexpr double in_the_plane = 1e-4; // m
+        const double a = dot(normal, piece.a - at);
+        const double highest =
+            a + std::max({0.0, dot(normal, piece.ab), dot(normal, piece.ac)});
+        if (highest > in_the_plane)
+            nearest = std::min(nearest, distance_to(piece, at));
+    };
+    if (self.opaque_scene)
+        self.opaque_scene->visit_near(at, radius, visit);
+    return nearest;
+}
+
 } // namespace isolux

@@ -92,6 +92,12 @@ public:
     [[nodiscard]] SurfaceDistances find_nearest_surfaces(const Point3& p,
                                                          double radius) const noexcept;
 
+    /// How far `p` is from the nearest opaque surface that is not wholly behind the plane
+    /// through `p` with this normal, at most `radius`.
+    [[nodiscard]] double find_nearest_ahead(const Point3& p,
+                                            const UnitVector3& normal,
+                                            double radius) const noexcept;
+
 private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;

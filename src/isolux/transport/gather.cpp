@@ -16,11 +16,17 @@ Rgb gather_indirect(const Scene& scene,
                     std::uint32_t first,
                     const PointRandomness& random,
                     std::uint64_t& rays) {
-    const RayPoint point{&receiver, clear_point(scene, receiver), random, directions, first};
+    const RayPoint point{&receiver,
+                         clear_point(scene, receiver),
+                         random,
+                         directions,
+                         first,
+                         false,
+                         part == GatherPart::balanced};
     Rgb sum;
     WalkFront front;
     front.start(scene, emission, images, {&point, 1});
-    front.share_with(cache, counts, part == GatherPart::balanced);
+    front.share_with(cache, counts);
     front.add_gathering();
     rays += front.run({{&sum, 1}, nullptr, {}, {}});
     return sum;

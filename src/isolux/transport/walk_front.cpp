@@ -34,7 +34,6 @@ void WalkFront::start(const Scene& scene,
     images_ = &images;
     points_ = points;
     cache_ = nullptr;
-    connects_ = false;
     walks_.clear();
     current_.clear();
     following_.clear();
@@ -43,12 +42,9 @@ void WalkFront::start(const Scene& scene,
     trails_.clear();
 }
 
-void WalkFront::share_with(const VertexCache& cache,
-                           const EffectiveCounts& counts,
-                           bool connects) {
+void WalkFront::share_with(const VertexCache& cache, const EffectiveCounts& counts) {
     cache_ = &cache;
     counts_ = counts;
-    connects_ = connects;
 }
 
 void WalkFront::add_gathering() { add(true); }
@@ -137,7 +133,7 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
         if (!walk.gathers || y->reflections > 0) {
             if (!walk.into_corner || is_in_corner(walk.start, *y))
                 collect_at(walk, *y);
-        } else if (connects_) {
+        } else if (points_[walk.point].connects) {
             gather_at(walk, *y);
         }
     }

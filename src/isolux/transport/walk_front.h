@@ -19,6 +19,9 @@ struct RayPoint {
     std::uint32_t first = 0; ///< number of the first of them in this replicate
     /// Whether light by two near surfaces is traced, METHODS eq. (122), beside gathering.
     bool leaves_corners = false;
+    /// Whether gathering walks light the surfaces they meet straight; otherwise only what they
+    /// meet by mirrors counts.
+    bool connects = true;
 };
 
 /// Walks from neighbouring points into the room, all of them side by side so that their shadow
@@ -34,9 +37,8 @@ public:
                const MirrorImages& images,
                std::span<const RayPoint> points);
 
-    /// What gathering walks share their paths with. @param connects  whether they light the
-    /// surfaces they meet straight; otherwise only what they meet by mirrors counts
-    void share_with(const VertexCache& cache, const EffectiveCounts& counts, bool connects);
+    /// What gathering walks share their paths with.
+    void share_with(const VertexCache& cache, const EffectiveCounts& counts);
 
     /// Adds the walks of every point.
     void add_gathering();
@@ -92,7 +94,6 @@ private:
     std::span<const RayPoint> points_;
     const VertexCache* cache_ = nullptr;
     EffectiveCounts counts_;
-    bool connects_ = false;
     const LightLedger* ledger_ = nullptr; ///< during run() only
     std::uint64_t rays_ = 0;
     std::vector<Walk> walks_;
