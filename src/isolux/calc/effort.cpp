@@ -202,23 +202,23 @@ UnitCosts make_unit_costs(const Scene& scene,
                           double chain_length,
                           double images,
                           bool mirrors) {
-    // Calibrated with tests/bench on one core of a server of 2023.
+    // Fitted to what an engine's parts took in eight rooms on one core of a server of 2023.
     const double triangles =
         static_cast<double>(std::max<std::size_t>(2, scene.triangles.size()));
     const double depth = 0.6 + 0.1 * std::log2(triangles); // of the search tree; 1 in a box
     const double luminaires =
         static_cast<double>(std::min<std::size_t>(64, scene.luminaires.size()));
-    const double next_event = 120.0 + 3.0 * luminaires;
+    const double next_event = 360.0 + 3.0 * luminaires;
     UnitCosts c;
-    c.path = (vertices_per_path + 1.0) * 220.0 * depth;
-    c.pair = 0.4 * vertices_per_path;
-    c.draw = 25.0 + 35.0 * depth;
-    c.direction = next_event + 260.0 * depth;
-    c.glance = mirrors ? 160.0 * depth : 0.0;
+    c.path = (vertices_per_path + 1.0) * 260.0 * depth;
+    c.pair = 0.65 * vertices_per_path;
+    c.draw = 55.0 + 65.0 * depth;
+    c.direction = next_event + 250.0 + 260.0 * depth;
+    c.glance = mirrors ? 100.0 + 260.0 * depth : 0.0;
     const double image = images * (next_event + 420.0 * depth);
     c.sample = (chain_length + 0.5) * (next_event + image + 220.0 * depth);
-    c.look = c.draw;
-    c.point = 150.0;
+    c.look = 25.0 + 35.0 * depth;
+    c.point = 500.0;
     c.vertices = vertices_per_path;
     c.tree_path = 1.4 * c.path; // they no longer fit into the processor's caches
     c.descent = 150.0;

@@ -47,7 +47,8 @@ private:
     static constexpr std::size_t doublings = 32;
 
     double area_ = 0.0;
-    ByClass<std::array<std::size_t, doublings + 1>> counts_{}; ///< by doublings of M until which
+    ByClass<std::array<std::size_t, doublings + 1>>
+        counts_{}; ///< by doublings of M until which
 };
 
 /// What is spent on a point in one unit of one replicate, beside the light paths.

@@ -23,6 +23,9 @@ constexpr double widest_edge = 0.5;
 constexpr double next_to_class = 0.1;
 constexpr double close_to_class = 0.25;
 
+/// What could send a point light is sought no farther than this, m.
+constexpr double farthest_ahead = 4.0;
+
 /// A receiver this near to a foreign surface is flagged, m.
 constexpr double too_near = 1e-3;
 
@@ -90,7 +93,7 @@ void Engine::find_surroundings() {
         second_[i] = static_cast<float>(d.second);
         const double ahead = receiver.kind == IlluminanceKind::planar
                                  ? scene_->caster.find_nearest_ahead(
-                                     receiver.point, receiver.axis, widest_edge)
+                                     receiver.point, receiver.axis, farthest_ahead)
                                  : d.nearest;
         ahead_[i] = static_cast<float>(ahead);
         classes_[i] = ahead < next_to_class    ? PointClass::next

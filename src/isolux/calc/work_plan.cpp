@@ -124,8 +124,10 @@ WorkPlan make_work_plan(const Settings& settings,
 }
 
 std::string describe_advantage(const WorkPlan& plan) {
-    constexpr std::array<const char*, point_classes> names{
-        "open points", "points near surfaces", "points close to surfaces", "points next to surfaces"};
+    constexpr std::array<const char*, point_classes> names{"open points",
+                                                           "points near surfaces",
+                                                           "points close to surfaces",
+                                                           "points next to surfaces"};
     std::string text;
     for (std::size_t c = 0; c < point_classes; ++c)
         if (plan.advantage[c] > 0.0)

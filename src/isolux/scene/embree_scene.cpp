@@ -303,7 +303,7 @@ std::uint32_t EmbreeScene::find_first_hits(const RayPacket& rays,
 void EmbreeScene::visit_near(
     const Vector3& p,
     double radius,
-    const std::function<void(std::uint32_t triangle)>& visit) const noexcept {
+    const std::function<double(std::uint32_t triangle)>& visit) const noexcept {
     RTCPointQuery query{};
     query.x = static_cast<float>(p.x);
     query.y = static_cast<float>(p.y);
@@ -313,9 +313,12 @@ void EmbreeScene::visit_near(
     rtcInitPointQueryContext(&context);
     const RTCPointQueryFunction call = [](RTCPointQueryFunctionArguments* arguments) {
         const auto& f =
-            *static_cast<const std::function<void(std::uint32_t)>*>(arguments->userPtr);
-        f(arguments->primID);
-        return false; // the sphere stays as large as it is
+            *static_cast<const std::function<double(std::uint32_t)>*>(arguments->userPtr);
+        const auto left = static_cast<float>(f(arguments->primID));
+        const bool shrinks = left < arguments->query->radius;
+        if (shrinks)
+            arguments->query->radius = left;
+        return shrinks;
     };
     auto function = visit;
     rtcPointQuery(handles_->scene.get(), &query, &context, call, &function);

@@ -89,10 +89,12 @@ public:
                                                 PacketHits& hits) const noexcept;
 
     /// Calls `visit` with every triangle whose box meets the sphere about `p`, in an order that
-    /// only the triangles decide; it may be called with others, too. `visit` must not throw.
+    /// only the triangles decide; it may be called with others, too.
+    /// @param visit  returns how large the sphere is from now on, m; it must not grow. Must not
+    /// throw
     void visit_near(const Vector3& p,
                     double radius,
-                    const std::function<void(std::uint32_t triangle)>& visit) const noexcept;
+                    const std::function<double(std::uint32_t triangle)>& visit) const noexcept;
 
 private:
     struct Handles;

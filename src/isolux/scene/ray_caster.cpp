@@ -343,6 +343,7 @@ SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
         } else {
             distances.second = std::min(distances.second, d);
         }
+        return radius;
     };
     if (self.opaque_scene)
         self.opaque_scene->visit_near(at, radius, visit);
@@ -365,6 +366,7 @@ double RayCaster::find_nearest_ahead(const Point3& p,
             a + std::max({0.0, dot(normal, piece.ab), dot(normal, piece.ac)});
         if (highest > in_the_plane)
             nearest = std::min(nearest, distance_to(piece, at));
+        return std::min(radius, 1.001 * nearest + in_the_plane);
     };
     if (self.opaque_scene)
         self.opaque_scene->visit_near(at, radius, visit);

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <tuple>
 
@@ -20,7 +22,7 @@ constexpr UnitCosts costs{.path = 600.0,
 
 /// So many points, all open.
 SharedTask open_task(const VarianceModel& model, std::size_t points) {
-    return {{points, 0, 0, 0}, {model, {}, {}, {}}, costs};
+    return {{points, 0, 0, 0}, {model, {}, {}, {}}, costs, {}};
 }
 
 double variance_of(const VarianceModel& model, const Effort& e) {
@@ -83,7 +85,7 @@ TEST(Effort, IsMoreWhereTheNoiseIs) {
     noisy.directions = 50.0;
     noisy.direct = 5.0;
     noisy.look_samples = 30.0;
-    const EffortChoice c = choose_effort({{200, 0, 20, 0}, {calm, {}, noisy, {}}, costs});
+    const EffortChoice c = choose_effort({{200, 0, 20, 0}, {calm, {}, noisy, {}}, costs, {}});
     EXPECT_GT(c.effort.at[2].draws, c.effort.at[0].draws);
     EXPECT_GT(c.effort.at[2].directions, c.effort.at[0].directions);
     EXPECT_GT(c.effort.at[2].looks, c.effort.at[0].looks);
@@ -106,6 +108,50 @@ TEST(Effort, CostsNoMoreThanItsNeighbours) {
             other.units *= 2;
         EXPECT_GE(cost_of(other, 300), cost_of(best, 300));
     }
+}
+
+TEST(GatherReach, EndsWhereVerticesLieCloser) {
+    constexpr double area = 400.0;
+    GatherReach reach(area);
+    std::array<double, 200> ahead{};
+    for (std::size_t i = 0; i < ahead.size(); ++i) {
+        ahead[i] = 0.02 * static_cast<double>(i);
+        reach.add(PointClass::near, ahead[i]);
+    }
+    double last = 1.1;
+    for (std::size_t m = fewest_paths; m <= most_paths_of_a_tree; m *= 2) {
+        const auto those = std::ranges::count_if(
+            ahead, [&](double d) { return reach.includes(d, static_cast<double>(m)); });
+        const double share = reach.share(1, m);
+        EXPECT_DOUBLE_EQ(share, static_cast<double>(those) / 200.0) << m;
+        EXPECT_LT(share, last);
+        last = share;
+    }
+    EXPECT_TRUE(reach.includes(0.62, 1024.0)); // sqrt(400/1024) = 0.625
+    EXPECT_FALSE(reach.includes(0.63, 1024.0));
+    EXPECT_EQ(reach.share(0, 1024), 1.0); // a class without points
+    EXPECT_EQ(GatherReach().share(1, 1024), 1.0);
+    EXPECT_TRUE(GatherReach().includes(4.0, 131072.0));
+}
+
+TEST(Effort, PaysForNoGatherRaysWhereNobodyGathers) {
+    const VarianceModel model{.paths = 3000.0, .draws = 20.0, .directions = 5.0};
+    SharedTask task = open_task(model, 300);
+    const EffortChoice all = choose_effort(task);
+    task.reach = GatherReach(100.0);
+    for (int i = 0; i < 300; ++i)
+        task.reach.add(PointClass::open, 4.0); // beyond sqrt(100/256)
+    const EffortChoice none = choose_effort(task);
+    EXPECT_GT(all.effort.at[0].directions, 1U);
+    EXPECT_EQ(none.effort.at[0].directions, 1U);
+    const PointEffort e{8, 4, 1};
+    EXPECT_NEAR(costs.of(1024, e, 300) - costs.of(1024, e, 300, Weighing::all, 0.25),
+                0.75 * 4.0 * costs.direction,
+                1e-6);
+    // before mirrors the rays are sent, for what they bring by them
+    task.costs.glance = 100.0;
+    EXPECT_GT(choose_effort(task).effort.at[0].directions, 1U);
+    EXPECT_DOUBLE_EQ(task.costs.direction_of(0.25), 0.25 * costs.direction + 75.0);
 }
 
 /// A task whose points may share a tree.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -262,6 +263,51 @@ TEST(RayCaster, MillimetreDetailsAreSeenAKilometreAway) {
         ASSERT_TRUE(hit.has_value());
         ASSERT_NEAR(hit->position.z, origin.z, 1e-12);
     }
+}
+
+TEST(RayCaster, FindsWhatIsNearestAheadAndNothingBehind) {
+    std::vector<CasterTriangle> t = make_room({0, 0, 0}, {6, 4, 3});
+    add_rectangle(t, {1, 1, 0.74}, {1, 0, 0}, {0, 1, 0});   // a desk, just below the points
+    add_rectangle(t, {4, 1, 0.70}, {0, 1, 0}, {0, 0, 0.4}); // a screen that stands up past them
+    const RayCaster caster(t);
+    const UnitVector3 up({0, 0, 1});
+    const auto ahead = [&](const Point3& p, const UnitVector3& n) {
+        return caster.find_nearest_ahead(p, n, 2.5);
+    };
+    EXPECT_NEAR(ahead({1.5, 1.3, 0.75}, up), 1.3, 1e-6);   // the wall, not the desk
+    EXPECT_NEAR(ahead({3.8, 1.5, 0.75}, up), 0.2, 1e-6);   // the screen
+    EXPECT_NEAR(ahead({0.1, 2.0, 0.0}, up), 0.1, 1e-6);    // on the floor, which is no light
+    EXPECT_NEAR(ahead({1.5, 1.5, 0.75}, -up), 0.01, 1e-6); // looking down on the desk
+    EXPECT_EQ(caster.find_nearest_ahead({3, 2, 1.5}, up, 1.0), 1.0); // far enough
+    EXPECT_EQ(RayCaster({}).find_nearest_ahead({0, 0, 0}, up, 3.0), 3.0);
+}
+
+TEST(RayCaster, FindsWhatIsNearestAheadAsBruteForceDoes) {
+    Random random(11);
+    std::vector<CasterTriangle> t;
+    for (int i = 0; i < 300; ++i) {
+        const Point3 a = random.point(5.0);
+        t.push_back(
+            opaque(a, a + (random.point(0.5) - Point3{}), a + (random.point(0.5) - Point3{})));
+    }
+    const RayCaster caster(t);
+    int hidden = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Point3 p = random.point(5.0);
+        const UnitVector3 n(random.point(1.0) - Point3{});
+        double nearest = 2.0;
+        double any = 2.0;
+        for (const CasterTriangle& own : t) {
+            const double d = RayCaster({&own, 1}).find_nearest_surfaces(p, 2.0).nearest;
+            any = std::min(any, d);
+            if (std::ranges::any_of(own.corner,
+                                    [&](const Point3& c) { return dot(n, c - p) > 1e-4; }))
+                nearest = std::min(nearest, d);
+        }
+        hidden += any < nearest ? 1 : 0;
+        EXPECT_NEAR(caster.find_nearest_ahead(p, n, 2.0), nearest, 1e-6);
+    }
+    EXPECT_GT(hidden, 50); // often something nearer lies behind
 }
 
 TEST(RayCaster, OffsetGrowsWithTheDistanceFromTheMiddle) {
