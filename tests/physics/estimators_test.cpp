@@ -145,6 +145,8 @@ TEST_P(Estimators, AgreeOnEveryProjection) {
     const auto traced = test::sample(scene, points, Estimator::path_tracing, 16, 21);
     const auto bounded = test::sample(scene, points, Estimator::bounded, 8, 31);
     const auto joined = test::sample(scene, points, Estimator::bidirectional, 16, 41);
+    // the same as `mis` but for points that need no gather rays, METHODS eq. (140)
+    const auto chosen = test::sample(scene, points, Estimator::automatic, 8, 51);
     for (std::uint32_t k = 0; k < 8; ++k) {
         const Estimate a = mis.projection(k);
         const Estimate b1 = local.projection(k);
@@ -166,6 +168,10 @@ TEST_P(Estimators, AgreeOnEveryProjection) {
             << "bidirectional against local estimation with gathering, combination " << k
             << ": " << e.mean << " +- " << e.standard_error << ", " << a.mean << " +- "
             << a.standard_error;
+        const Estimate f = chosen.projection(k);
+        EXPECT_LT(std::abs(test::z_score(f, c)), test::z_limit)
+            << "the default against path tracing, combination " << k << ": " << f.mean << " +- "
+            << f.standard_error << ", " << c.mean << " +- " << c.standard_error;
         if (k == 0)
             RecordProperty("z",
                            std::to_string(test::z_score(a, c)) + " "

@@ -217,7 +217,7 @@ bool Engine::takes_paths(PointEstimator e) const noexcept {
     return e != PointEstimator::path_tracing && settings_.estimator != Estimator::bidirectional;
 }
 
-/// METHODS eq. (140). Corners are walked by gather rays, whatever lies ahead.
+/// METHODS eq. (140). Corners are walked by gather rays, whatever counts as ahead.
 bool Engine::gathers(std::size_t receiver) const noexcept {
     return is_within(receiver, counts_.corner)
            || reach_.includes(static_cast<double>(ahead_[receiver]), counts_.paths);

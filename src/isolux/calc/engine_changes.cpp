@@ -22,10 +22,6 @@ constexpr double worth_a_change = 0.1;
 /// Traced paths are worth more than a trial of a few says they need.
 constexpr double doubt = 1.5;
 
-/// Units after which the error of a point in the dark is believed: before, its few bright paths
-/// say either too much or nothing.
-constexpr std::size_t units_in_the_dark = 64;
-
 /// Traced paths of a point, replicate and unit.
 constexpr double most_samples = 1U << 14U;
 
@@ -66,8 +62,6 @@ NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
 NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t units) {
     NextLook next{units, {}};
     if (settings_.estimator != Estimator::automatic || settings_.direct_only)
-        return next;
-    if (!pilot_.importance.is_even() && units < units_in_the_dark)
         return next;
     constexpr auto runs = static_cast<double>(replicates);
     constexpr double never = 1e300; // ns
