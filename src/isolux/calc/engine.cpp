@@ -134,6 +134,8 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         return direct_.samples_of(plans_[i]);
     };
     pilot_ = run_pilot(scene, target);
+    if (!pilot_.importance.is_even())
+        reach_ = {}; // in the dark vertices stand farther apart than (140) thinks
     costs_ = make_unit_costs(*scene_,
                              pilot_.vertices_per_path,
                              pilot_.chain_length,
