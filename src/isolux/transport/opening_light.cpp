@@ -29,6 +29,15 @@ constexpr std::array<std::size_t, 9> orders{1, 2, 3, 4, 6, 9, 12, 18, 27};
 /// about the step of a table, so that no beam hides between them.
 constexpr double widest_step = 0.1;
 
+/// Number in `orders` of the second rule along a side that the receiver sees this long, rad;
+/// the number of orders where none is fine enough.
+std::size_t second_rule(double extent) noexcept {
+    std::size_t second = extent <= widest_step ? 1 : 2;
+    while (second < orders.size() && widest_step * static_cast<double>(orders[second]) < extent)
+        ++second;
+    return second;
+}
+
 struct Rule {
     std::array<double, orders.back()> node{}; ///< in (0, 1)
     std::array<double, orders.back()> weight{};
@@ -166,20 +175,28 @@ std::optional<double> OpeningLight::integrate(std::size_t facet,
         if (lowest < 0.0)
             return std::nullopt;
     }
-    const double extent =
-        l.opening.largest_dimension / distance(at_, l.placement.world_from_luminaire.origin);
-    std::size_t first = extent <= widest_step ? 1 : 2; // the second rule
-    while (first < orders.size() && widest_step * static_cast<double>(orders[first]) < extent)
-        ++first;
+    const double away = distance(at_, l.placement.world_from_luminaire.origin);
+    double extent = l.opening.largest_dimension / away;
+    double other_extent = extent;
+    if (is_parallelogram(vertices)) { // long and narrow ones need few points across
+        extent = std::min(extent, distance(vertices[0], vertices[1]) / away);
+        other_extent = std::min(other_extent, distance(vertices[0], vertices[3]) / away);
+    }
+    const std::size_t second = second_rule(extent);
+    const std::size_t other_second = second_rule(other_extent);
+    const auto apply = [&](std::size_t rule) { // 0, 1, 2, ...
+        return apply_rule(facet, orders[second + rule - 1], orders[other_second + rule - 1]);
+    };
     // Two rules may agree by chance; three rarely do. For a rough value
     // (negligible is infinite) two will do, unless they find nothing.
     constexpr double coarser = 4.0; // the first of them
-    double before = apply_rule(facet, orders[first - 1]);
+    double before = apply(0);
     double change = 0.0;
-    for (std::size_t i = first; i < orders.size(); ++i) {
-        const double now = apply_rule(facet, orders[i]);
+    const std::size_t rules = orders.size() - std::max(second, other_second) + 1;
+    for (std::size_t i = 1; i < rules; ++i) {
+        const double now = apply(i);
         const double last_change = std::exchange(change, std::abs(now - before));
-        const bool may_end = i > first || (std::isinf(negligible) && now > 0.0);
+        const bool may_end = i > 1 || (std::isinf(negligible) && now > 0.0);
         if (may_end
             && std::max(change, last_change / coarser) <= std::max(agreement * now, negligible))
             return now;
@@ -188,24 +205,27 @@ std::optional<double> OpeningLight::integrate(std::size_t facet,
     return std::nullopt;
 }
 
-double OpeningLight::apply_rule(std::size_t facet, std::size_t order) const noexcept {
+double OpeningLight::apply_rule(std::size_t facet,
+                                std::size_t order,
+                                std::size_t other_order) const noexcept {
     const std::vector<Point3>& p =
         emission_->luminaire(luminaire_).opening.facets[facet].vertices;
     const Rule& rule = rule_of(order);
+    const Rule& other = rule_of(other_order);
     // c + s a + t (1 - fold s) b, s and t in (0, 1): a parallelogram (fold 0) or a triangle.
     const auto patch = [&](const Point3& c, const Vector3& a, const Vector3& b, double fold) {
         double sum = 0.0;
         for (std::size_t i = 0; i < order; ++i)
-            for (std::size_t k = 0; k < order; ++k) {
+            for (std::size_t k = 0; k < other_order; ++k) {
                 const double narrow = 1.0 - fold * rule.node[i];
                 EmissionPoint from{luminaire_, facet, c};
-                from.position = c + (rule.node[i] * a + (narrow * rule.node[k]) * b);
+                from.position = c + (rule.node[i] * a + (narrow * other.node[k]) * b);
                 const Vector3 d = at_ - from.position;
                 const double d2 = length_squared(d);
                 if (!(d2 > 0.0))
                     continue;
                 const UnitVector3 w(d);
-                sum += rule.weight[i] * rule.weight[k] * narrow * emission_->evaluate(from, w)
+                sum += rule.weight[i] * other.weight[k] * narrow * emission_->evaluate(from, w)
                        * evaluate_response(*receiver_, -w) / d2;
             }
         return sum * length(cross(a, b));

@@ -41,7 +41,8 @@ public:
 private:
     [[nodiscard]] std::optional<double> integrate(std::size_t facet,
                                                   double negligible) const noexcept;
-    [[nodiscard]] double apply_rule(std::size_t facet, std::size_t order) const noexcept;
+    [[nodiscard]] double
+    apply_rule(std::size_t facet, std::size_t order, std::size_t other_order) const noexcept;
 
     const Scene* scene_;
     const Emission* emission_;
