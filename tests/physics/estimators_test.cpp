@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "isolux/calc/calculate.h"
+
 #include "support/replicates.h"
 #include "support/test_scene.h"
 
@@ -18,6 +20,7 @@ struct Case {
     std::function<void(Builder&)> build;
     std::vector<Receiver> receivers;
     double power = 0.002; ///< the default estimator resolves this share of the mean with 1 SE
+    bool is_dark = false; ///< light paths are guided, so all points gather
 };
 
 std::vector<Receiver>
@@ -53,7 +56,9 @@ Case furnished() {
                 b.add_panel({2, 1.5, 2.95}, {0, 0.6, 0}, {0.6, 0, 0}, 4000);
                 b.add_point({4.2, 3.2, 2.2}, b.add_isotropic_type(800));
             },
-            grid({0, 0, 0.95}, {5, 0, 0}, {0, 4, 0}, {0, 0, 1})};
+            grid({0, 0, 0.95}, {5, 0, 0}, {0, 4, 0}, {0, 0, 1}),
+            0.002,
+            true};
 }
 
 Case mirror_floor() {
@@ -98,7 +103,8 @@ Case behind_glass() {
             b.add_panel({1, 1, 2.65}, {0, 0.6, 0}, {0.6, 0, 0}, 5000);
         },
         grid({3, 0, 0.8}, {3, 0, 0}, {0, 3, 0}, {0, 0, 1}),
-        0.012};
+        0.012,
+        true};
 }
 
 Case panes_in_a_row() {
@@ -123,6 +129,7 @@ Case panes_in_a_row() {
 
 Case coloured_sensors() {
     Case c = furnished();
+    c.is_dark = false;
     c.name = "cylindrical, semi-cylindrical, hemispherical and spherical receivers";
     int i = 0;
     for (Receiver& r : c.receivers) {
@@ -131,6 +138,14 @@ Case coloured_sensors() {
         r.point.z = 1.2;
     }
     return c;
+}
+
+std::string what_the_default_does(const Scene& scene, const std::vector<Receiver>& points) {
+    std::vector<CalculationSurface> surfaces(1);
+    surfaces[0].receivers = points;
+    Settings settings;
+    settings.fixed_units = 1;
+    return calculate(scene, surfaces, settings).estimator;
 }
 
 class Estimators : public testing::TestWithParam<Case> {};
@@ -145,7 +160,7 @@ TEST_P(Estimators, AgreeOnEveryProjection) {
     const auto traced = test::sample(scene, points, Estimator::path_tracing, 16, 21);
     const auto bounded = test::sample(scene, points, Estimator::bounded, 8, 31);
     const auto joined = test::sample(scene, points, Estimator::bidirectional, 16, 41);
-    // the same as `mis` but for points that need no gather rays, METHODS eq. (140)
+    // some points gather and some do not, METHODS eq. (140); corners are walked, (122)
     const auto chosen = test::sample(scene, points, Estimator::automatic, 8, 51);
     for (std::uint32_t k = 0; k < 8; ++k) {
         const Estimate a = mis.projection(k);
@@ -179,6 +194,10 @@ TEST_P(Estimators, AgreeOnEveryProjection) {
                                + std::to_string(test::z_score(d, c)) + " "
                                + std::to_string(test::z_score(e, a)));
     }
+    const std::string said = what_the_default_does(scene, points);
+    EXPECT_NE(said.find("path tracing (0 points)"), std::string::npos) << said;
+    EXPECT_EQ(said.find("that gather: 0"), std::string::npos) << said;
+    EXPECT_EQ(said.find("that gather: 12") == std::string::npos, !GetParam().is_dark) << said;
     // Power: what the comparison could have seen.
     EXPECT_LT(mis.mean().standard_error, GetParam().power * mis.mean().mean);
 }

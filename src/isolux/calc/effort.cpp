@@ -64,7 +64,9 @@ Outcome outcome_of(const SharedTask& task, const Effort& effort) {
         const VarianceModel& model = task.models[c];
         const PointEffort& e = effort.at[c];
         sum.variance +=
-            share * (model.of(effort.paths, e, effort.weighing) + model.of_direct(e));
+            share
+            * (model.of(effort.paths, e, effort.weighing, task.share_of_rays(c, effort.paths))
+               + model.of_direct(e));
         const double gathering = task.reach.share(c, effort.paths);
         sum.cost += share
                     * (task.costs.of(effort.paths, e, points, effort.weighing, gathering)
@@ -90,12 +92,10 @@ best_effort(const SharedTask& task, std::size_t paths, Weighing weighing, Cost&&
                                        price * task.costs.draw_by(weighing),
                                        fewest_draws,
                                        most_draws),
-                            direction == 0.0
-                                ? 1 // nobody gathers
-                                : best_count(task.models[c].directions_beside(paths),
-                                             price * direction,
-                                             1,
-                                             most_directions),
+                            best_count(task.models[c].directions * task.share_of_rays(c, paths),
+                                       price * direction,
+                                       1,
+                                       most_directions),
                             best_count(task.models[c].direct,
                                        price * task.costs.look * task.models[c].look_samples,
                                        1,
@@ -138,6 +138,10 @@ double price_of(const Outcome& o) { return o.variance * o.cost; }
 
 } // namespace
 
+double GatherReach::farthest() const noexcept {
+    return std::sqrt(area_ / static_cast<double>(fewest_paths));
+}
+
 void GatherReach::add(PointClass c, double ahead) noexcept {
     // gathers beside 2^k paths while 2^k < area / ahead^2
     const double limit = area_ / std::max(ahead * ahead, 1e-12);
@@ -160,15 +164,12 @@ double VarianceModel::draws_by(Weighing weighing) const noexcept {
     return weighing == Weighing::tree ? draws + variance_of_tree * light : draws;
 }
 
-double VarianceModel::directions_beside(std::size_t m) const noexcept {
-    return directions
-           * std::pow(static_cast<double>(pilot_paths) / static_cast<double>(m), relief);
-}
-
-double
-VarianceModel::of(std::size_t m, const PointEffort& e, Weighing weighing) const noexcept {
+double VarianceModel::of(std::size_t m,
+                         const PointEffort& e,
+                         Weighing weighing,
+                         double gathering) const noexcept {
     return paths / static_cast<double>(m) + draws_by(weighing) / static_cast<double>(e.draws)
-           + directions_beside(m) / static_cast<double>(e.directions);
+           + gathering * directions / static_cast<double>(e.directions);
 }
 
 double VarianceModel::of_direct(const PointEffort& e) const noexcept {
@@ -216,7 +217,7 @@ UnitCosts make_unit_costs(const Scene& scene,
     c.direction = next_event + 250.0 + 260.0 * depth;
     c.glance = mirrors ? 100.0 + 260.0 * depth : 0.0;
     const double image = images * (next_event + 420.0 * depth);
-    c.sample = (chain_length + 0.5) * (next_event + image + 220.0 * depth);
+    c.sample = (chain_length + 0.5) * (next_event + image + 260.0 * depth);
     c.look = 25.0 + 35.0 * depth;
     c.point = 500.0;
     c.vertices = vertices_per_path;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "isolux/scene/scene.h"
 #include "isolux/transport/vertex_cache.h"
@@ -14,7 +15,7 @@ enum class PointClass : std::uint8_t {
     open,  ///< nothing that could send it light within half a metre
     near,  ///< something nearer than that
     close, ///< than a quarter of a metre
-    next   ///< than a hand's breadth
+    beside ///< than a hand's breadth
 };
 
 inline constexpr std::size_t point_classes = 4;
@@ -28,15 +29,21 @@ public:
     /// All gather, whatever lies around them.
     GatherReach() = default;
 
-    /// @param area  of all surfaces, both sides, m2
+    /// @param area  of all surfaces, each counted once, m2
     explicit GatherReach(double area) noexcept : area_(area) {}
+
+    /// The same before any point was counted.
+    [[nodiscard]] GatherReach without_points() const noexcept { return GatherReach(area_); }
+
+    /// Within this distance it matters how far surfaces are, however many paths there are, m.
+    [[nodiscard]] double farthest() const noexcept;
 
     /// @param ahead  distance to the nearest surface that could send a point light, m
     [[nodiscard]] bool includes(double ahead, double paths) const noexcept {
-        return area_ == 0.0 || ahead * ahead * paths < area_;
+        return ahead * ahead * paths < area_;
     }
 
-    /// Counts a point for share(). @pre made with an area
+    /// Counts a point for share().
     void add(PointClass c, double ahead) noexcept;
 
     /// Share of the points of a class that gather, where there are any; 1 where none was
@@ -46,7 +53,7 @@ public:
 private:
     static constexpr std::size_t doublings = 32;
 
-    double area_ = 0.0;
+    double area_ = std::numeric_limits<double>::infinity();
     ByClass<std::array<std::size_t, doublings + 1>>
         counts_{}; ///< by doublings of M until which
 };
@@ -78,10 +85,6 @@ inline constexpr std::size_t most_paths_of_a_tree = 131072;
 /// Vertices that a tree may hold, of 200 bytes each; fewer paths then, where they branch.
 inline constexpr double most_vertices_of_a_tree = 1e6;
 
-/// VarianceModel::relief of open points where so many share light paths that M grows far beyond
-/// the pilot's; measured.
-inline constexpr double relief_of_many = 0.5;
-
 inline constexpr std::size_t fewest_draws = 4;
 inline constexpr std::size_t most_draws = 128;
 inline constexpr std::size_t most_directions = 128;
@@ -101,16 +104,15 @@ struct VarianceModel {
 
     double look_samples = 0.0; ///< of one unit of direct light
 
-    /// `directions` falls like M to this power from the pilot's M on: METHODS "Vertex tree".
-    double relief = 0.0;
-
     /// `draws` as they are by the tree.
     [[nodiscard]] double draws_by(Weighing weighing) const noexcept;
-    [[nodiscard]] double directions_beside(std::size_t m) const noexcept;
 
-    /// Of LE-MIS with M paths, without the direct part.
-    [[nodiscard]] double
-    of(std::size_t m, const PointEffort& e, Weighing weighing = Weighing::all) const noexcept;
+    /// Of LE-MIS with M paths, without the direct part. @param gathering  share of the points
+    /// whose light depends on gather rays
+    [[nodiscard]] double of(std::size_t m,
+                            const PointEffort& e,
+                            Weighing weighing = Weighing::all,
+                            double gathering = 1.0) const noexcept;
     [[nodiscard]] double of_direct(const PointEffort& e) const noexcept;
 };
 
@@ -161,7 +163,7 @@ struct UnitCosts {
                                         double vertices_per_path,
                                         double chain_length,
                                         double images,
-                                        bool mirrors = false);
+                                        bool mirrors);
 
 /// The points that share light paths: how many of each class, and what their samples are worth.
 struct SharedTask {
@@ -171,6 +173,11 @@ struct SharedTask {
     GatherReach reach;
 
     [[nodiscard]] std::size_t all() const noexcept;
+
+    /// Share of a class's points whose light depends on gather rays beside M paths.
+    [[nodiscard]] double share_of_rays(std::size_t c, std::size_t m) const noexcept {
+        return costs.glance > 0.0 ? 1.0 : reach.share(c, m);
+    }
 };
 
 struct EffortChoice {

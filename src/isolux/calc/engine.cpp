@@ -20,7 +20,7 @@ constexpr double widest_edge = 0.5;
 
 /// Points nearer than these to what could send them light are classes of their own, m; the
 /// third border is widest_edge.
-constexpr double next_to_class = 0.1;
+constexpr double beside_class = 0.1;
 constexpr double close_to_class = 0.25;
 
 /// What could send a point light is sought no farther than this, m.
@@ -85,18 +85,20 @@ void Engine::find_surroundings() {
     clear_.resize(receivers_.size());
     classes_.assign(receivers_.size(), PointClass::open);
     plans_.assign(receivers_.size(), {});
+    const double farthest = settings_.estimator == Estimator::automatic
+                                ? std::clamp(reach_.farthest(), widest_edge, farthest_ahead)
+                                : widest_edge;
     for_each_index(receivers_.size(), 64, [&](std::size_t i) {
         Receiver& receiver = receivers_[i];
         const SurfaceDistances d =
             scene_->caster.find_nearest_surfaces(receiver.point, widest_edge);
         near_surface_[i] = d.second < too_near ? 1 : 0;
         second_[i] = static_cast<float>(d.second);
-        const double ahead = receiver.kind == IlluminanceKind::planar
-                                 ? scene_->caster.find_nearest_ahead(
-                                     receiver.point, receiver.axis, farthest_ahead)
-                                 : d.nearest;
+        const bool has_horizon = receiver.kind == IlluminanceKind::planar;
+        const double ahead = scene_->caster.find_nearest_ahead(
+            receiver.point, has_horizon ? &receiver.axis : nullptr, farthest);
         ahead_[i] = static_cast<float>(ahead);
-        classes_[i] = ahead < next_to_class    ? PointClass::next
+        classes_[i] = ahead < beside_class     ? PointClass::beside
                       : ahead < close_to_class ? PointClass::close
                       : ahead < widest_edge    ? PointClass::near
                                                : PointClass::open;
@@ -107,25 +109,28 @@ void Engine::find_surroundings() {
 
 std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& target) {
     receivers_ = std::move(receivers);
+    if (settings_.estimator == Estimator::automatic)
+        reach_ = GatherReach(scene_->total_area);
     find_surroundings();
     if (receivers_.empty()) { // the flux balance alone
         effort_.paths = fewest_paths;
         fix_counts();
         return 1;
     }
-    if (settings_.estimator == Estimator::automatic)
-        reach_ = GatherReach(scene_->total_area);
     const double corner = corner_of(static_cast<double>(pilot_paths));
     std::vector<std::uint8_t> leaves_corners(receivers_.size());
+    std::vector<std::uint8_t> gathers_at_first(receivers_.size());
     ByClass<std::size_t> points{};
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
         leaves_corners[i] = is_within(i, corner) ? 1 : 0;
+        gathers_at_first[i] =
+            images_.scene_has_mirrors() || reach_.includes(ahead_[i], pilot_paths) ? 1 : 0;
         ++points[static_cast<std::size_t>(classes_[i])];
-        if (settings_.estimator == Estimator::automatic)
-            reach_.add(classes_[i], static_cast<double>(ahead_[i]));
+        reach_.add(classes_[i], ahead_[i]);
     }
     PilotScene scene = pilot_scene();
     scene.leaves_corners = leaves_corners;
+    scene.gathers = gathers_at_first;
     scene.corner = corner;
     scene.direct = [&](std::size_t i, std::uint32_t first, std::span<double> values) {
         RayCounts unused;
@@ -144,10 +149,8 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     const bool connects_to_paths = !settings_.direct_only
                                    && settings_.estimator != Estimator::path_tracing
                                    && !StudyEstimators::serves(settings_.estimator);
-    if (connects_to_paths && may_take_tree(receivers_.size())) {
+    if (connects_to_paths && may_take_tree(receivers_.size()))
         costs_.cut = find_cost_of_cut(scene, pilot_.importance);
-        pilot_.of_class[static_cast<std::size_t>(PointClass::open)].relief = relief_of_many;
-    }
     plan_ = make_work_plan(settings_, pilot_, costs_, points, reach_);
     effort_ = plan_.effort;
     fix_counts();
@@ -217,12 +220,6 @@ void Engine::choose_estimators() {
 
 bool Engine::takes_paths(PointEstimator e) const noexcept {
     return e != PointEstimator::path_tracing && settings_.estimator != Estimator::bidirectional;
-}
-
-/// METHODS eq. (140). Corners are walked by gather rays, whatever counts as ahead.
-bool Engine::gathers(std::size_t receiver) const noexcept {
-    return is_within(receiver, counts_.corner)
-           || reach_.includes(static_cast<double>(ahead_[receiver]), counts_.paths);
 }
 
 VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) const {

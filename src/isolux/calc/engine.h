@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -109,16 +110,20 @@ private:
     void find_surroundings();
     [[nodiscard]] double corner_of(double paths) const noexcept;
 
-    /// Whether a second surface is nearer than that, m.
+    /// Whether a second surface is nearer than that, m, and one that could send light.
     [[nodiscard]] bool is_within(std::size_t receiver, double distance) const noexcept {
-        return static_cast<double>(second_[receiver]) < distance;
+        return static_cast<double>(std::max(second_[receiver], ahead_[receiver])) < distance;
     }
 
     [[nodiscard]] const PointEffort& effort_of(std::size_t receiver) const noexcept {
         return effort_.at[static_cast<std::size_t>(classes_[receiver])];
     }
 
-    [[nodiscard]] bool gathers(std::size_t receiver) const noexcept;
+    /// METHODS eq. (140); never false where corners are walked.
+    [[nodiscard]] bool gathers(std::size_t receiver) const noexcept {
+        return reach_.includes(ahead_[receiver], counts_.paths);
+    }
+
     [[nodiscard]] PilotScene pilot_scene() const;
     [[nodiscard]] NextLook change_estimators(std::span<const OpenPoint> open,
                                              std::size_t units);

@@ -40,10 +40,12 @@ std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
 
 NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     const NextLook next = change_estimators(open, units);
-    SharedTask task{{}, pilot_.of_class, costs_, reach_};
+    SharedTask task{{}, pilot_.of_class, costs_, reach_.without_points()};
     for (const OpenPoint& p : open)
-        if (p.refines_indirect && takes_paths(estimators_[p.receiver]))
+        if (p.refines_indirect && takes_paths(estimators_[p.receiver])) {
             ++task.points[static_cast<std::size_t>(classes_[p.receiver])];
+            task.reach.add(classes_[p.receiver], ahead_[p.receiver]);
+        }
     needs_paths_ = !settings_.direct_only && task.all() > 0;
     if (!needs_paths_)
         return next;

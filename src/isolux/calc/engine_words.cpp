@@ -23,10 +23,10 @@ std::string Engine::describe() const {
     const auto count = [&](PointEstimator e) {
         return std::to_string(std::count(estimators_.begin(), estimators_.end(), e));
     };
-    // "64 (open), 128 (next to surfaces)", for the classes that there are
+    // "64 (open), 128 (beside surfaces)", for the classes that there are
     const auto by_class = [&](std::size_t PointEffort::*what, const auto& is_asked) {
         constexpr ByClass<const char*> names{
-            "open", "near surfaces", "close", "next to surfaces"};
+            "open", "near surfaces", "close", "beside surfaces"};
         ByClass<bool> asked{};
         for (std::size_t i = 0; i < classes_.size(); ++i)
             asked[static_cast<std::size_t>(classes_[i])] |= is_asked(i);
@@ -58,16 +58,20 @@ std::string Engine::describe() const {
         return "bidirectional path tracing from the points";
     default: {
         const std::string pilot = describe_advantage(plan_);
+        std::size_t gatherers = 0;
+        for (std::size_t i = 0; i < receivers_.size(); ++i)
+            gatherers += gathers(i) ? 1 : 0;
         return fmt::format(
             "local estimation with one gather bounce ({} points{}), path tracing "
-            "({} points); {}, gather rays: {}",
+            "({} points); {}, gather rays: {}; points that gather: {}",
             count(PointEstimator::mis),
             pilot.empty() ? "" : "; " + pilot,
             count(PointEstimator::path_tracing),
             text,
-            by_class(&PointEffort::directions, [this](std::size_t i) {
-                return images_.scene_has_mirrors() || gathers(i);
-            }));
+            by_class(
+                &PointEffort::directions,
+                [this](std::size_t i) { return images_.scene_has_mirrors() || gathers(i); }),
+            gatherers);
     }
     }
 }

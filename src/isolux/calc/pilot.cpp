@@ -190,14 +190,19 @@ void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
     sum.light += factor * m.light;
 }
 
-/// In shares of the variance the tolerance allows, then mean over the points of a class.
+/// In shares of the variance the tolerance allows, then mean over the points of a class; what
+/// gather rays bring, over those that gather, if any do.
 Pilot summarise(std::span<const PointVariance> points,
                 std::span<const PointClass> classes,
+                std::span<const std::uint8_t> gathers,
                 const ByClass<std::size_t>& all_points,
                 const PilotTarget& target) {
     Pilot pilot;
-    for (const PointClass c : classes)
-        ++pilot.points[static_cast<std::size_t>(c)];
+    ByClass<double> gatherers{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ++pilot.points[static_cast<std::size_t>(classes[i])];
+        gatherers[static_cast<std::size_t>(classes[i])] += gathers[i];
+    }
     double count = 0.0;
     for (const std::size_t n : all_points)
         count += static_cast<double>(n);
@@ -220,9 +225,10 @@ Pilot summarise(std::span<const PointVariance> points,
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))
             continue;
-        add(pilot.of_class[c],
-            points[i].model,
-            1.0 / (allowed * static_cast<double>(pilot.points[c])));
+        VarianceModel own = points[i].model;
+        if (gatherers[c] > 0.0)
+            own.directions *= gathers[i] * static_cast<double>(pilot.points[c]) / gatherers[c];
+        add(pilot.of_class[c], own, 1.0 / (allowed * static_cast<double>(pilot.points[c])));
         add(pilot.all, points[i].model, weight(i) / allowed);
     }
     for (VarianceModel& m : pilot.of_class)
@@ -333,17 +339,19 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         }
     std::vector<PointVariance> variances;
     std::vector<PointClass> classes;
+    std::vector<std::uint8_t> gathers;
     std::vector<Look> own(replicates);
     for (std::size_t p = 0; p < points.size(); ++p) {
         for (std::size_t r = 0; r < replicates; ++r)
             own[r] = looks[r * points.size() + p];
         variances.push_back(judge(own));
         classes.push_back(task.classes[points[p]]);
+        gathers.push_back(task.gathers[points[p]]);
     }
     ByClass<std::size_t> all_points{};
     for (const PointClass c : task.classes)
         ++all_points[static_cast<std::size_t>(c)];
-    Pilot pilot = summarise(variances, classes, all_points, target);
+    Pilot pilot = summarise(variances, classes, gathers, all_points, target);
     pilot.vertices_per_path = means.vertices_per_path;
     pilot.chain_length = means.chain_length;
     pilot.importance = std::move(importance);

@@ -69,7 +69,10 @@ void judge_classes(WorkPlan& plan,
         SharedTask alone{{}, task.models, task.costs, task.reach};
         alone.points[c] = all;
         const Effort effort = choose(settings, alone).effort;
-        const double shared = model.of(effort.paths, effort.at[c], effort.weighing)
+        const double shared = model.of(effort.paths,
+                                       effort.at[c],
+                                       effort.weighing,
+                                       task.share_of_rays(c, effort.paths))
                               * task.costs.of(effort.paths,
                                               effort.at[c],
                                               all,
@@ -127,7 +130,7 @@ std::string describe_advantage(const WorkPlan& plan) {
     constexpr std::array<const char*, point_classes> names{"open points",
                                                            "points near surfaces",
                                                            "points close to surfaces",
-                                                           "points next to surfaces"};
+                                                           "points beside surfaces"};
     std::string text;
     for (std::size_t c = 0; c < point_classes; ++c)
         if (plan.advantage[c] > 0.0)

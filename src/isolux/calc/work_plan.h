@@ -23,7 +23,7 @@ struct WorkPlan {
                                       const Pilot& pilot,
                                       const UnitCosts& costs,
                                       const ByClass<std::size_t>& points,
-                                      const GatherReach& reach = {});
+                                      const GatherReach& reach);
 
 /// "open points: 30 times as efficient as path tracing", ... or nothing.
 [[nodiscard]] std::string describe_advantage(const WorkPlan& plan);

@@ -75,8 +75,10 @@ std::vector<std::vector<std::uint32_t>> find_twins(const std::vector<Piece>& pie
 }
 
 double distance_to(const Piece& piece, const Vector3& p) noexcept {
-    if (is_on(piece, p - dot(piece.normal, p - piece.a) * Vector3(piece.normal), 0.0))
-        return std::abs(dot(piece.normal, p - piece.a));
+    constexpr double rounding = 1e-9; // m, of the foot of the perpendicular
+    const double height = dot(piece.normal, p - piece.a);
+    if (is_on(piece, p - height * Vector3(piece.normal), rounding))
+        return std::abs(height);
     const Vector3 corner[] = {piece.a, piece.a + piece.ab, piece.a + piece.ac};
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {

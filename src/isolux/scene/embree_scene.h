@@ -88,8 +88,8 @@ public:
                                                 std::uint32_t wanted,
                                                 PacketHits& hits) const noexcept;
 
-    /// Calls `visit` with every triangle whose box meets the sphere about `p`, in an order that
-    /// only the triangles decide; it may be called with others, too.
+    /// Calls `visit` with every triangle whose box meets the sphere about `p` as large as it is
+    /// by then, in an order that only the triangles decide; it may be called with others, too.
     /// @param visit  returns how large the sphere is from now on, m; it must not grow. Must not
     /// throw
     void visit_near(const Vector3& p,

@@ -353,20 +353,27 @@ SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
 }
 
 double RayCaster::find_nearest_ahead(const Point3& p,
-                                     const UnitVector3& normal,
+                                     const UnitVector3* normal,
                                      double radius) const noexcept {
+    constexpr double in_the_plane = 1e-4; // m; lower than this nothing sends light worth naming
     const auto& self = *implementation_;
     const Vector3 at = p - self.centre;
+    const auto is_ahead = [&](const Piece& piece) {
+        if (normal == nullptr)
+            return true;
+        const double highest =
+            dot(*normal, piece.a - at)
+            + std::max({0.0, dot(*normal, piece.ab), dot(*normal, piece.ac)});
+        return highest > in_the_plane;
+    };
+    // The ray tracer's floats may cut the sphere a little short.
+    const double spare = 1e-4 + 4.0 * Implementation::offset_at(at);
     double nearest = radius;
     const auto visit = [&](std::uint32_t triangle) {
         const Piece& piece = self.opaque[triangle];
-        constexpr double in_the_plane = 1e-4; // m
-        const double a = dot(normal, piece.a - at);
-        const double highest =
-            a + std::max({0.0, dot(normal, piece.ab), dot(normal, piece.ac)});
-        if (highest > in_the_plane)
+        if (is_ahead(piece))
             nearest = std::min(nearest, distance_to(piece, at));
-        return std::min(radius, 1.001 * nearest + in_the_plane);
+        return std::min(radius, nearest + spare);
     };
     if (self.opaque_scene)
         self.opaque_scene->visit_near(at, radius, visit);

@@ -93,9 +93,9 @@ public:
                                                          double radius) const noexcept;
 
     /// How far `p` is from the nearest opaque surface that is not wholly behind the plane
-    /// through `p` with this normal, at most `radius`.
+    /// through `p` with this normal, at most `radius`. @param normal  null: from any surface
     [[nodiscard]] double find_nearest_ahead(const Point3& p,
-                                            const UnitVector3& normal,
+                                            const UnitVector3* normal,
                                             double radius) const noexcept;
 
 private:

@@ -134,30 +134,54 @@ TEST(GatherReach, EndsWhereVerticesLieCloser) {
     EXPECT_TRUE(GatherReach().includes(4.0, 131072.0));
 }
 
-TEST(Effort, PaysForNoGatherRaysWhereNobodyGathers) {
+/// So many of 1000 open points gather beside any number of paths, the others beside none.
+SharedTask partly_gathering_task(std::size_t gatherers) {
     const VarianceModel model{.paths = 3000.0, .draws = 20.0, .directions = 5.0};
-    SharedTask task = open_task(model, 300);
-    const EffortChoice all = choose_effort(task);
+    SharedTask task = open_task(model, 1000);
     task.reach = GatherReach(100.0);
-    for (int i = 0; i < 300; ++i)
-        task.reach.add(PointClass::open, 4.0); // beyond sqrt(100/256)
-    const EffortChoice none = choose_effort(task);
-    EXPECT_GT(all.effort.at[0].directions, 1U);
-    EXPECT_EQ(none.effort.at[0].directions, 1U);
+    for (std::size_t i = 0; i < 1000; ++i)
+        task.reach.add(PointClass::open, i < gatherers ? 0.001 : 4.0);
+    return task;
+}
+
+double cost_of_best(const SharedTask& task) {
+    const EffortChoice c = choose_effort(task);
+    const double share = task.reach.share(0, c.effort.paths);
+    return static_cast<double>(c.units)
+           * costs.of(c.effort.paths, c.effort.at[0], 1000, Weighing::all, share);
+}
+
+TEST(Effort, CostsLessTheFewerGather) {
+    double last = 1e300;
+    for (const std::size_t gatherers : {1000U, 500U, 100U, 40U, 1U, 0U}) {
+        const double cost = cost_of_best(partly_gathering_task(gatherers));
+        EXPECT_LE(cost, 1.001 * last) << gatherers;
+        last = cost;
+    }
+    // what the few need does not depend on how few they are
+    const std::size_t few = choose_effort(partly_gathering_task(20)).effort.at[0].directions;
+    const std::size_t all = choose_effort(partly_gathering_task(1000)).effort.at[0].directions;
+    EXPECT_GT(few, 1U);
+    EXPECT_LE(few, 2 * all);
+    EXPECT_EQ(choose_effort(partly_gathering_task(0)).effort.at[0].directions, 1U);
+}
+
+TEST(Effort, PaysForGatherRaysByWhoSendsThem) {
     const PointEffort e{8, 4, 1};
     EXPECT_NEAR(costs.of(1024, e, 300) - costs.of(1024, e, 300, Weighing::all, 0.25),
                 0.75 * 4.0 * costs.direction,
                 1e-6);
-    // before mirrors the rays are sent, for what they bring by them
+    // before mirrors all send them, for what they bring by these
+    SharedTask task = partly_gathering_task(0);
     task.costs.glance = 100.0;
     EXPECT_GT(choose_effort(task).effort.at[0].directions, 1U);
     EXPECT_DOUBLE_EQ(task.costs.direction_of(0.25), 0.25 * costs.direction + 75.0);
+    EXPECT_DOUBLE_EQ(task.share_of_rays(0, 1024), 1.0);
 }
 
 /// A task whose points may share a tree.
 SharedTask tree_task(std::size_t points, double cut) {
-    VarianceModel model{.paths = 3000.0, .draws = 0.5, .directions = 6.0, .light = 100.0};
-    model.relief = relief_of_many;
+    const VarianceModel model{.paths = 3000.0, .draws = 0.5, .directions = 1.0, .light = 100.0};
     SharedTask task = open_task(model, points);
     task.costs.tree_path = 900.0;
     task.costs.cut = cut;
@@ -203,8 +227,6 @@ TEST(Effort, CountsWhatTheTreeCostsAndVariesBy) {
     const PointEffort e{8, 4, 1};
     const VarianceModel& m = task.models[0];
     EXPECT_NEAR(m.of(8192, e, Weighing::tree) - m.of(8192, e), 1.5e-3 * m.light / 8.0, 1e-12);
-    EXPECT_DOUBLE_EQ(m.directions_beside(pilot_paths), m.directions);
-    EXPECT_DOUBLE_EQ(m.directions_beside(4 * pilot_paths), 0.5 * m.directions);
     // by the tree a path costs a point nothing but its share of the walk
     const UnitCosts& c = task.costs;
     EXPECT_NEAR(c.of(65536, e, 24000, Weighing::tree) - c.of(32768, e, 24000, Weighing::tree),
@@ -224,7 +246,7 @@ TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
     pilot.all = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
     pilot.of_class[0] = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
     pilot.of_class[1] = {.paths = 1e6, .draws = 4.0, .directions = 1.0, .samples = 1.0};
-    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, {30, 30, 0, 0});
+    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, {30, 30, 0, 0}, {});
     EXPECT_EQ(plan.of_class[0], PointEstimator::mis);
     EXPECT_EQ(plan.of_class[1], PointEstimator::path_tracing);
     EXPECT_GT(plan.advantage[0], 1.0);
@@ -238,7 +260,7 @@ TEST(WorkPlan, LeavesTheEstimatorToTheUserWhoNamesOne) {
     pilot.of_class[1] = {.paths = 1e6, .draws = 4.0, .directions = 1.0, .samples = 1.0};
     Settings settings;
     settings.estimator = Estimator::local_estimation_mis;
-    const WorkPlan plan = make_work_plan(settings, pilot, costs, {30, 30, 0, 0});
+    const WorkPlan plan = make_work_plan(settings, pilot, costs, {30, 30, 0, 0}, {});
     EXPECT_EQ(plan.of_class[1], PointEstimator::mis);
 }
 

@@ -272,14 +272,32 @@ TEST(RayCaster, FindsWhatIsNearestAheadAndNothingBehind) {
     const RayCaster caster(t);
     const UnitVector3 up({0, 0, 1});
     const auto ahead = [&](const Point3& p, const UnitVector3& n) {
-        return caster.find_nearest_ahead(p, n, 2.5);
+        return caster.find_nearest_ahead(p, &n, 2.5);
     };
     EXPECT_NEAR(ahead({1.5, 1.3, 0.75}, up), 1.3, 1e-6);   // the wall, not the desk
     EXPECT_NEAR(ahead({3.8, 1.5, 0.75}, up), 0.2, 1e-6);   // the screen
     EXPECT_NEAR(ahead({0.1, 2.0, 0.0}, up), 0.1, 1e-6);    // on the floor, which is no light
     EXPECT_NEAR(ahead({1.5, 1.5, 0.75}, -up), 0.01, 1e-6); // looking down on the desk
-    EXPECT_EQ(caster.find_nearest_ahead({3, 2, 1.5}, up, 1.0), 1.0); // far enough
-    EXPECT_EQ(RayCaster({}).find_nearest_ahead({0, 0, 0}, up, 3.0), 3.0);
+    EXPECT_EQ(caster.find_nearest_ahead({3, 2, 1.5}, &up, 1.0), 1.0); // far enough
+    EXPECT_EQ(RayCaster({}).find_nearest_ahead({0, 0, 0}, &up, 3.0), 3.0);
+}
+
+/// However a wall is turned, a point before its middle is as far from it as from its plane.
+TEST(RayCaster, KnowsHowFarATurnedWallIs) {
+    Random random(5);
+    for (int i = 0; i < 200; ++i) {
+        const UnitVector3 n(random.point(1.0) - Point3{});
+        const UnitVector3 u(cross(n, Vector3{0.3, -0.2, 0.9}));
+        const Vector3 v = cross(n, u);
+        const Point3 middle = random.point(20.0);
+        std::vector<CasterTriangle> t;
+        add_rectangle(t, middle - 2.0 * Vector3(u) - 1.5 * v, 4.0 * Vector3(u), 3.0 * v);
+        const RayCaster caster(t);
+        const double away = random.uniform(0.001, 1.0);
+        const Point3 p = middle + away * Vector3(n) + random.uniform(-1, 1) * v;
+        EXPECT_NEAR(caster.find_nearest_surfaces(p, 3.0).nearest, away, 1e-9);
+        EXPECT_NEAR(caster.find_nearest_ahead(p, nullptr, 3.0), away, 1e-9);
+    }
 }
 
 TEST(RayCaster, FindsWhatIsNearestAheadAsBruteForceDoes) {
@@ -305,7 +323,8 @@ TEST(RayCaster, FindsWhatIsNearestAheadAsBruteForceDoes) {
                 nearest = std::min(nearest, d);
         }
         hidden += any < nearest ? 1 : 0;
-        EXPECT_NEAR(caster.find_nearest_ahead(p, n, 2.0), nearest, 1e-6);
+        EXPECT_NEAR(caster.find_nearest_ahead(p, &n, 2.0), nearest, 1e-6);
+        EXPECT_NEAR(caster.find_nearest_ahead(p, nullptr, 2.0), any, 1e-6);
     }
     EXPECT_GT(hidden, 50); // often something nearer lies behind
 }
