@@ -203,7 +203,8 @@ UnitCosts make_unit_costs(const Scene& scene,
                           double chain_length,
                           double images,
                           bool mirrors) {
-    // Fitted to what an engine's parts took in eight rooms on one core of a server of 2023.
+    // Fitted to what an engine's parts took in four to nine rooms on one core of a server of
+    // 2023.
     const double triangles =
         static_cast<double>(std::max<std::size_t>(2, scene.triangles.size()));
     const double depth = 0.6 + 0.1 * std::log2(triangles); // of the search tree; 1 in a box

@@ -7,11 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "isolux/calc/judge.h"
-#include "isolux/io/contributions_file.h"
-#include "isolux/io/csv.h"
-#include "isolux/io/file_name.h"
 #include "isolux/io/installation_json.h"
-#include "isolux/io/safe_file.h"
+#include "isolux/io/json_text.h"
 #include "isolux/measure/quantity.h"
 
 namespace isolux {
@@ -282,109 +279,10 @@ Json tail_of(const ResultsDocument& d) {
     return json;
 }
 
-/// A value that fits on one line: no members but plain values and lists of plain values.
-bool is_one_line(const Json& json) {
-    return std::ranges::all_of(json, [](const Json& member) {
-        return member.is_primitive()
-               || (member.is_array() && std::ranges::all_of(member, [](const Json& m) {
-                       return m.is_primitive();
-                   }));
-    });
-}
-
-/// JSON text, written member by member: as a tree of values the points of a large project would
-/// take several times the memory of their text.
-class JsonText {
-public:
-    void begin(char bracket) {
-        text_ += bracket;
-        ++depth_;
-        is_first_ = true;
-    }
-
-    void end(char bracket) {
-        --depth_;
-        if (!is_first_)
-            new_line();
-        text_ += bracket;
-        is_first_ = false;
-    }
-
-    /// Begins an item of a list.
-    void item() {
-        if (!is_first_)
-            text_ += ',';
-        new_line();
-        is_first_ = false;
-    }
-
-    /// Begins a member of an object.
-    void key(const std::string& name) {
-        item();
-        text_ += dump(Json(name)) + ": ";
-    }
-
-    void value(const Json& json) {
-        if (json.is_primitive() || is_one_line(json)) {
-            text_ += dump(json);
-        } else if (json.is_object()) {
-            begin('{');
-            members(json);
-            end('}');
-        } else {
-            begin('[');
-            for (const Json& element : json) {
-                item();
-                value(element);
-            }
-            end(']');
-        }
-    }
-
-    void members(const Json& object) {
-        for (const auto& [name, member] : object.items()) {
-            key(name);
-            value(member);
-        }
-    }
-
-    /// A member that is a list. @param write_item  writes the value of an item, by its number
-    template <class WriteItem>
-    void list(const std::string& name, std::size_t items, const WriteItem& write_item) {
-        key(name);
-        begin('[');
-        for (std::size_t i = 0; i < items; ++i) {
-            item();
-            write_item(i);
-        }
-        end(']');
-    }
-
-    [[nodiscard]] std::string finish() && {
-        text_ += '\n';
-        return std::move(text_);
-    }
-
-private:
-    /// Names the user gave may hold any bytes; what is no UTF-8 becomes U+FFFD.
-    static std::string dump(const Json& json) {
-        return json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    }
-
-    void new_line() {
-        text_ += '\n';
-        text_.append(depth_, ' ');
-    }
-
-    std::string text_;
-    std::size_t depth_ = 0;
-    bool is_first_ = true; ///< nothing is written yet inside the innermost bracket
-};
-
 void write(JsonText& json, const SurfaceResult& s, double confidence) {
     json.begin('{');
     json.members(head_of(s, confidence));
-    json.list("points", s.points.size(), [&](std::size_t i) {
+    json.list(Json("points"), s.points.size(), [&](std::size_t i) {
         json.value(to_json(s.surface.receivers[i], s.points[i], confidence));
     });
     json.end('}');
@@ -393,7 +291,7 @@ void write(JsonText& json, const SurfaceResult& s, double confidence) {
 void write(JsonText& json, const ModellingResult& m, const Results& r) {
     json.begin('{');
     json.members(head_of(m, r));
-    json.list("points", m.points.size(), [&](std::size_t i) {
+    json.list(Json("points"), m.points.size(), [&](std::size_t i) {
         json.value(to_json(m.points[i], r.confidence));
     });
     json.end('}');
@@ -401,60 +299,20 @@ void write(JsonText& json, const ModellingResult& m, const Results& r) {
 
 } // namespace
 
-std::string_view isolux_version() noexcept { return ISOLUX_VERSION; }
-
-ResultsDocument
-make_results_document(const Project& project, const Settings& settings, Results results) {
-    results.notices.insert(
-        results.notices.begin(), project.notices.begin(), project.notices.end());
-    ResultsDocument document{std::string(isolux_version()),
-                             project.name,
-                             project.file,
-                             project.inputs,
-                             settings.seed,
-                             settings.tolerance,
-                             settings.confidence,
-                             std::move(results)};
-    document.description = project.description;
-    document.absolute_tolerance = settings.absolute_tolerance;
-    document.schedule = project.schedule;
-    return document;
-}
-
 std::string to_results_json(const ResultsDocument& document) {
     const Results& r = document.results;
     JsonText json;
     json.begin('{');
     json.members(head_of(document));
-    json.list("surfaces", r.surfaces.size(), [&](std::size_t i) {
+    json.list(Json("surfaces"), r.surfaces.size(), [&](std::size_t i) {
         write(json, r.surfaces[i], r.confidence);
     });
-    json.list("modelling", r.modelling.size(), [&](std::size_t i) {
+    json.list(Json("modelling"), r.modelling.size(), [&](std::size_t i) {
         write(json, r.modelling[i], r);
     });
     json.members(tail_of(document));
     json.end('}');
     return std::move(json).finish();
-}
-
-void write_results(const std::filesystem::path& folder, const ResultsDocument& document) {
-    make_folder(folder);
-    std::vector<std::string> names{"sensitivities"}; // a surface must not take its name
-    for (const SurfaceResult& s : document.results.surfaces)
-        names.push_back(s.surface.name);
-    const std::vector<std::string> stems = file_stems(names);
-    for (std::size_t i = 1; i < stems.size(); ++i)
-        write_file_safely(
-            folder / (stems[i] + ".csv"),
-            to_csv(document.results.surfaces[i - 1], document.results.confidence));
-    // Those of an earlier run would speak of other lights.
-    remove_contributions(folder);
-    remove_file(folder / sensitivities_table);
-    if (document.results.contributions)
-        write_contributions(folder, document.results);
-    if (document.results.sensitivities)
-        write_file_safely(folder / sensitivities_table, to_sensitivities_csv(document.results));
-    write_file_safely(folder / "results.json", to_results_json(document));
 }
 
 } // namespace isolux

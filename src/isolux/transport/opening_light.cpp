@@ -184,6 +184,8 @@ std::optional<double> OpeningLight::integrate(std::size_t facet,
     }
     const std::size_t second = second_rule(extent);
     const std::size_t other_second = second_rule(other_extent);
+    if (std::max(second, other_second) == orders.size())
+        return std::nullopt;                   // too near
     const auto apply = [&](std::size_t rule) { // 0, 1, 2, ...
         return apply_rule(facet, orders[second + rule - 1], orders[other_second + rule - 1]);
     };
