@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -309,16 +310,19 @@ TEST(RayCaster, FindsWhatIsNearestAheadAsBruteForceDoes) {
             opaque(a, a + (random.point(0.5) - Point3{}), a + (random.point(0.5) - Point3{})));
     }
     const RayCaster caster(t);
+    std::vector<RayCaster> one_by_one;
+    for (const CasterTriangle& own : t)
+        one_by_one.emplace_back(std::span(&own, 1));
     int hidden = 0;
     for (int i = 0; i < 300; ++i) {
         const Point3 p = random.point(5.0);
         const UnitVector3 n(random.point(1.0) - Point3{});
         double nearest = 2.0;
         double any = 2.0;
-        for (const CasterTriangle& own : t) {
-            const double d = RayCaster({&own, 1}).find_nearest_surfaces(p, 2.0).nearest;
+        for (std::size_t k = 0; k < t.size(); ++k) {
+            const double d = one_by_one[k].find_nearest_surfaces(p, 2.0).nearest;
             any = std::min(any, d);
-            if (std::ranges::any_of(own.corner,
+            if (std::ranges::any_of(t[k].corner,
                                     [&](const Point3& c) { return dot(n, c - p) > 1e-4; }))
                 nearest = std::min(nearest, d);
         }
