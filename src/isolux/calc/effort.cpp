@@ -212,14 +212,14 @@ UnitCosts make_unit_costs(const Scene& scene,
         static_cast<double>(std::min<std::size_t>(64, scene.luminaires.size()));
     const double next_event = 360.0 + 3.0 * luminaires;
     UnitCosts c;
-    c.path = (vertices_per_path + 1.0) * 260.0 * depth;
-    c.pair = 0.65 * vertices_per_path;
-    c.draw = 55.0 + 65.0 * depth;
-    c.direction = next_event + 250.0 + 260.0 * depth;
+    c.path = (vertices_per_path + 1.0) * 220.0 * depth;
+    c.pair = 0.35 * vertices_per_path;
+    c.draw = 40.0 + 25.0 * depth;
+    c.direction = 0.8 * (next_event + 250.0 + 260.0 * depth);
     c.glance = mirrors ? 100.0 + 260.0 * depth : 0.0;
     const double image = images * (next_event + 420.0 * depth);
-    c.sample = (chain_length + 0.5) * (next_event + image + 260.0 * depth);
-    c.look = 25.0 + 35.0 * depth;
+    c.sample = 0.6 * (chain_length + 0.5) * (next_event + image + 260.0 * depth);
+    c.look = 40.0 + 55.0 * depth;
     c.point = 500.0;
     c.vertices = vertices_per_path;
     c.tree_path = 1.4 * c.path; // they no longer fit into the processor's caches

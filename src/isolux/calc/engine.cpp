@@ -136,7 +136,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
         RayCounts unused;
         plan_direct(i, unused);
         estimate_direct(i, 0, first, values, unused);
-        return direct_.samples_of(plans_[i]);
+        return direct_.samples_of(plans_[i], ambient_of(i));
     };
     pilot_ = run_pilot(scene, target);
     if (!pilot_.importance.is_even())
@@ -156,6 +156,14 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     fix_counts();
     choose_estimators();
     return plan_.units;
+}
+
+double Engine::ambient_of(std::size_t receiver) const noexcept {
+    constexpr double darkest_share = 0.02; // darker than that nobody has to know it exactly
+    const auto c = static_cast<std::size_t>(classes_[receiver]);
+    const double guess = direct_.ambient();
+    return pilot_.points[c] == 0 ? guess
+                                 : std::max(pilot_.reflected[c], darkest_share * guess);
 }
 
 PilotScene Engine::pilot_scene() const {
@@ -425,6 +433,7 @@ void Engine::estimate_direct(std::size_t index,
                      settings_.seed,
                      unit,
                      static_cast<std::uint32_t>(effort_of(index).looks),
+                     ambient_of(index),
                      first_replicate,
                      {values, layout_, by_source, {}},
                      rays.shadow);

@@ -124,6 +124,9 @@ private:
         return reach_.includes(ahead_[receiver], counts_.paths);
     }
 
+    /// What reflections bring a receiver, roughly, lx: as the pilot saw it, before it a guess.
+    [[nodiscard]] double ambient_of(std::size_t receiver) const noexcept;
+
     [[nodiscard]] PilotScene pilot_scene() const;
     [[nodiscard]] NextLook change_estimators(std::span<const OpenPoint> open,
                                              std::size_t units);

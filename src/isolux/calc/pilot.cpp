@@ -148,13 +148,14 @@ believed_variance(std::span<const double> traced, double other, double missing) 
 struct PointVariance {
     VarianceModel model;
     double value = 0.0;
+    double reflected = 0.0; ///< of it
 };
 
 PointVariance judge(std::span<const Look> looks) {
     const std::size_t count = looks.size();
     std::vector<double> indirect(count), traced(count), direct(count);
     double inside_local = 0.0, inside_gathered = 0.0, value = 0.0, missing = 0.0;
-    double cached = 0.0;
+    double cached = 0.0, reflected = 0.0;
     const auto n = static_cast<double>(count);
     for (std::size_t r = 0; r < count; ++r) {
         const Look& l = looks[r];
@@ -165,11 +166,13 @@ PointVariance judge(std::span<const Look> looks) {
         inside_local += half_square(l.local) / n;
         inside_gathered += half_square(l.gathered) / n;
         value += (direct[r] + indirect[r]) / n;
+        reflected += indirect[r] / n;
         cached += 0.5 * (l.local[0] + l.local[1]) / n;
     }
     PointVariance v;
     v.model.light = cached * cached;
     v.value = value;
+    v.reflected = reflected;
     v.model.draws = static_cast<double>(draws) * inside_local;
     v.model.directions = static_cast<double>(directions) * inside_gathered;
     const double rest = variance_of(indirect) - 0.5 * inside_local - 0.5 * inside_gathered;
@@ -219,8 +222,9 @@ Pilot summarise(std::span<const PointVariance> points,
         std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto c = static_cast<std::size_t>(classes[i]);
-        pilot.of_class[c].look_samples +=
-            points[i].model.look_samples / static_cast<double>(pilot.points[c]);
+        const double share_of_class = 1.0 / static_cast<double>(pilot.points[c]);
+        pilot.of_class[c].look_samples += share_of_class * points[i].model.look_samples;
+        pilot.reflected[c] += share_of_class * points[i].reflected;
         const double half = target.tolerance * std::max(points[i].value, floor);
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))

@@ -28,17 +28,19 @@ void occluded(RTCScene scene, RTCRay& ray) noexcept { rtcOccluded1(scene, &ray, 
 
 // Sixteen rays at once, or twice eight where the machine has no registers for more.
 
-void occluded(const int* valid, RTCScene scene, RTCRay8& rays) noexcept {
+void occluded(const int* valid, RTCScene scene, RTCRay8& rays, RayOrder order) noexcept {
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.flags = order == RayOrder::bundled ? RTC_RAY_QUERY_FLAG_COHERENT
+                                                 : RTC_RAY_QUERY_FLAG_INCOHERENT;
     rtcOccluded8(valid, scene, &rays, &arguments);
 }
 
-void occluded(const int* valid, RTCScene scene, RTCRay16& rays) noexcept {
+void occluded(const int* valid, RTCScene scene, RTCRay16& rays, RayOrder order) noexcept {
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
-    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.flags = order == RayOrder::bundled ? RTC_RAY_QUERY_FLAG_COHERENT
+                                                 : RTC_RAY_QUERY_FLAG_INCOHERENT;
     rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
@@ -75,13 +77,17 @@ void occluded(RTCScene scene, RTCRay& ray) noexcept {
     rtcOccluded1(scene, &context, &ray);
 }
 
-void occluded(const int* valid, RTCScene scene, RTCRay8& rays) noexcept {
-    auto context = make_context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+void occluded(const int* valid, RTCScene scene, RTCRay8& rays, RayOrder order) noexcept {
+    auto context = make_context(order == RayOrder::bundled
+                                    ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     rtcOccluded8(valid, scene, &context, &rays);
 }
 
-void occluded(const int* valid, RTCScene scene, RTCRay16& rays) noexcept {
-    auto context = make_context(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
+void occluded(const int* valid, RTCScene scene, RTCRay16& rays, RayOrder order) noexcept {
+    auto context = make_context(order == RayOrder::bundled
+                                    ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     rtcOccluded16(valid, scene, &context, &rays);
 }
 
@@ -202,11 +208,12 @@ template <std::size_t Width, class Rays>
 std::uint32_t occluded_bits(RTCScene scene,
                             const RayPacket& packet,
                             std::size_t first,
-                            std::uint32_t wanted) noexcept {
+                            std::uint32_t wanted,
+                            RayOrder order) noexcept {
     const ValidLanes<Width> valid(wanted);
     Rays rays;
     to_embree<Width>(packet, first, rays);
-    occluded(valid.lanes.data(), scene, rays);
+    occluded(valid.lanes.data(), scene, rays, order);
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < Width; ++i)
         bits |= static_cast<std::uint32_t>(rays.tfar[i] < 0.0F) << i;
@@ -276,14 +283,15 @@ bool EmbreeScene::is_occluded(const TracedRay& ray) const noexcept {
 }
 
 std::uint32_t EmbreeScene::find_occluded(const RayPacket& rays,
-                                         std::uint32_t wanted) const noexcept {
+                                         std::uint32_t wanted,
+                                         RayOrder order) const noexcept {
     const RTCScene scene = handles_->scene.get();
     if (handles_->has_wide_packets)
-        return occluded_bits<16, RTCRay16>(scene, rays, 0, wanted);
+        return occluded_bits<16, RTCRay16>(scene, rays, 0, wanted, order);
     std::uint32_t bits = 0;
     for (const std::size_t first : {0U, 8U})
         if (const std::uint32_t half = wanted >> first & 0xffU)
-            bits |= occluded_bits<8, RTCRay8>(scene, rays, first, half) << first;
+            bits |= occluded_bits<8, RTCRay8>(scene, rays, first, half, order) << first;
     return bits;
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "isolux/base/vec.h"
+#include "isolux/scene/ray_order.h"
 
 namespace isolux {
 
@@ -81,7 +82,8 @@ public:
     /// Bit i is set if ray i is occluded; only rays whose bit in `wanted` is set are traced,
     /// the other lanes may hold anything.
     [[nodiscard]] std::uint32_t find_occluded(const RayPacket& rays,
-                                              std::uint32_t wanted) const noexcept;
+                                              std::uint32_t wanted,
+                                              RayOrder order) const noexcept;
 
     /// Bit i is set if ray i meets a triangle; then `hits` tells the first one.
     [[nodiscard]] std::uint32_t find_first_hits(const RayPacket& rays,

@@ -296,7 +296,8 @@ double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept
 
 void RayCaster::transmittance16(std::span<const SightSegment> segments,
                                 std::uint32_t wanted,
-                                std::span<float> result) const noexcept {
+                                std::span<float> result,
+                                RayOrder order) const noexcept {
     ISOLUX_EXPECT(segments.size() <= packet_size && result.size() >= segments.size());
     const auto& self = *implementation_;
     if (segments.empty())
@@ -314,7 +315,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
     if (wanted == 0)
         return;
     const std::uint32_t occluded =
-        self.opaque_scene ? self.opaque_scene->find_occluded(packet, wanted) : 0U;
+        self.opaque_scene ? self.opaque_scene->find_occluded(packet, wanted, order) : 0U;
     for (std::uint32_t rest = occluded; rest != 0; rest &= rest - 1)
         result[static_cast<std::size_t>(std::countr_zero(rest))] = 0.0F;
     if (const std::uint32_t open = self.near_panes(segments, wanted & ~occluded); open != 0)

@@ -10,6 +10,7 @@
 #include "isolux/base/ids.h"
 #include "isolux/base/receiver.h"
 #include "isolux/base/vec.h"
+#include "isolux/scene/ray_order.h"
 
 namespace isolux {
 
@@ -78,11 +79,11 @@ public:
     [[nodiscard]] double transmittance(const Point3& a, const Point3& b) const noexcept;
 
     /// The same for up to packet_size segments at once. Results whose `wanted` bit is 0 are
-    /// left alone; their segments are read. Coherent segments (a common end, neighbouring
-    /// others) are fast.
+    /// left alone; their segments are read.
     void transmittance16(std::span<const SightSegment> segments,
                          std::uint32_t wanted,
-                         std::span<float> result) const noexcept;
+                         std::span<float> result,
+                         RayOrder order = RayOrder::bundled) const noexcept;
 
     [[nodiscard]] bool has_panes() const noexcept;
 

@@ -13,8 +13,10 @@ Connections::settle(const Scene& scene, const LightLedger& ledger, const Trails&
         const std::size_t n = std::min(packet_size, waiting_.size() - first);
         for (std::size_t i = 0; i < n; ++i)
             sights[i] = waiting_[first + i].sight;
-        scene.caster.transmittance16(
-            std::span(sights).first(n), (1U << n) - 1U, std::span(visible).first(n));
+        scene.caster.transmittance16(std::span(sights).first(n),
+                                     (1U << n) - 1U,
+                                     std::span(visible).first(n),
+                                     RayOrder::scattered);
         for (std::size_t i = 0; i < n; ++i) {
             if (visible[i] <= 0.0F)
                 continue;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "isolux/base/check.h"
@@ -17,6 +18,8 @@ namespace {
 
 constexpr std::uint32_t unshadowed_samples = 4; ///< per replicate, where no value is known
 constexpr std::uint32_t shadowed_samples = 4;   ///< per replicate, in a penumbra
+constexpr double fewest_looks = 1.0 / 16.0;
+constexpr double most_looks_at_once = 64.0;
 
 /// Samples of one luminaire in the image that a chain of mirrors makes of it, per replicate:
 /// fewer where little of it is reflected.
@@ -28,10 +31,19 @@ std::uint32_t samples_of_image(double strength) noexcept {
 /// The tail takes its numbers as if it were this luminaire.
 constexpr std::size_t tail_luminaire = 0xffffffU;
 
-/// Rays to an opening in one unit and replicate.
-std::uint32_t looks_at(const DirectPlan::Opening& opening) noexcept {
-    const float beta = opening.visible_share;
-    return opening.is_clear ? 0U : beta > 0.0F && beta < 1.0F ? shadowed_samples : 1U;
+/// A look that is uncertain by this share of the receiver's light is taken
+/// `shadowed_samples` times.
+static const double spread_of_few = getenv("SF") ? atof(getenv("SF")) : 0.4;
+
+/// Rays to an opening in one unit and replicate, METHODS eq. (141): a power of two; below 1, how
+/// many of the units take one.
+double looks_at(const DirectPlan::Opening& opening, double light, std::uint32_t looks) noexcept {
+    if (opening.is_clear)
+        return 0.0;
+    const double share = static_cast<double>(opening.spread) / (spread_of_few * light);
+    const double n = std::clamp(std::cbrt(share * share), fewest_looks / shadowed_samples,
+                                most_looks_at_once / shadowed_samples);
+    return looks * shadowed_samples * std::exp2(std::round(std::log2(n)));
 }
 
 /// Rays of one receiver wait here for a whole packet.
@@ -123,14 +135,15 @@ double image_light(const Scene& scene,
     return light.strength * evaluate_response(receiver, light.arrival) / s.density;
 }
 
-double DirectLight::samples_of(const DirectPlan& plan) const noexcept {
-    std::size_t sum = plan.tail_draws;
+double DirectLight::samples_of(const DirectPlan& plan, double ambient) const noexcept {
+    double sum = plan.tail_draws;
     for (const DirectPlan::Opening& o : plan.openings)
-        sum += looks_at(o)
+        sum += looks_at(o, plan.seen + ambient, 1)
                + (o.unshadowed < 0.0 && o.visible_share > 0.0F ? unshadowed_samples : 0U);
     for (std::size_t c = 0; samples_images_ && c < images_->chains().size(); ++c)
-        sum += emission_->luminaires() * samples_of_image(images_->strength(c));
-    return static_cast<double>(sum);
+        sum += static_cast<double>(emission_->luminaires()
+                                   * samples_of_image(images_->strength(c)));
+    return sum;
 }
 
 /// beta x unshadowed + (1/looks) sum of c (V - beta), METHODS eq. (13); rays of several
@@ -142,7 +155,9 @@ void DirectLight::add_opening(const Task& task,
     const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, opening.luminaire);
     const Rgb colour = emission_->colour(opening.luminaire);
     const auto beta = static_cast<double>(opening.visible_share);
-    const std::uint32_t looks = task.looks * looks_at(opening);
+    const double wanted = looks_at(opening, task.illuminance, task.looks);
+    // fewer than one: that one in some of the units, which stands for those of the others
+    const auto looks = static_cast<std::uint32_t>(std::ceil(wanted));
     const std::size_t replicates = ledger.total.size();
     thread_local std::vector<double> sums;
     sums.assign(replicates, 0.0);
@@ -160,8 +175,10 @@ void DirectLight::add_opening(const Task& task,
     // Looks and unshadowed samples each run through a sequence of their own without gaps, so
     // that their error falls from unit to unit.
     for (std::size_t r = 0; r < replicates; ++r) {
-        const auto numbers = task.pair(
-            opening.luminaire, task.first_replicate + static_cast<std::uint32_t>(r), 0);
+        const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
+        if (wanted < 1.0 && task.pair(opening.luminaire, replicate, 1)(task.unit)[0] >= wanted)
+            continue;
+        const auto numbers = task.pair(opening.luminaire, replicate, 0);
         for (std::uint32_t i = 0; i < looks; ++i) {
             if (packet.is_full())
                 settle();
@@ -174,7 +191,7 @@ void DirectLight::add_opening(const Task& task,
     }
     settle();
     for (std::size_t r = 0; r < replicates; ++r) {
-        double e = looks > 0 ? sums[r] / looks : 0.0;
+        double e = looks > 0 ? sums[r] / wanted : 0.0;
         if (beta > 0.0)
             e += beta * unshadowed(task, opening, light, r);
         if (e != 0.0)
@@ -299,6 +316,7 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::uint64_t seed,
                            std::uint32_t unit,
                            std::uint32_t looks,
+                           double ambient,
                            std::uint32_t first_replicate,
                            const LightLedger& ledger,
                            std::uint64_t& rays) const {
@@ -319,7 +337,8 @@ void DirectLight::estimate(const Receiver& receiver,
                     receiver_index,
                     unit,
                     first_replicate,
-                    looks};
+                    looks,
+                    plan.seen + ambient};
     for (const DirectPlan::Opening& opening : plan.openings)
         add_opening(task, opening, ledger, rays);
     if (!plan.tail.empty())
@@ -343,6 +362,7 @@ void DirectLight::estimate(const Receiver& receiver,
              seed,
              unit,
              1,
+             ambient_,
              first_replicate,
              {result, nullptr, {}, {}},
              rays);

@@ -28,6 +28,7 @@ struct DirectPlan {
         float visible_share = 1.0F; ///< beta of METHODS eq. (13), from pilot rays
         bool is_clear = false;      ///< nothing stands in between: no rays needed
         double unshadowed = -1.0;   ///< lx; negative: not known
+        float spread = 0.0F;        ///< of one look, roughly, lx: METHODS eq. (141)
     };
 
     /// A part of the light tree from which luminaires are drawn.
@@ -38,6 +39,7 @@ struct DirectPlan {
 
     bool is_made = false;
     Rgb known;               ///< without noise, lx
+    double seen = 0.0;       ///< all that the pilot rays saw, roughly, lx
     std::vector<Term> terms; ///< the same by luminaire; kept only when asked for
     std::vector<Opening> openings;
     std::vector<Branch> tail; ///< negligible luminaires, METHODS "Many luminaires"
@@ -67,19 +69,26 @@ public:
     /// Whether every unit and replicate of a plan gives the same value, without a ray.
     [[nodiscard]] bool is_exact(const DirectPlan& plan) const noexcept;
 
-    /// Samples of one unit and replicate: what it costs.
-    [[nodiscard]] double samples_of(const DirectPlan& plan) const noexcept;
+    /// What a receiver in the scene gets by reflections, lx, as far as can be said without a
+    /// ray.
+    [[nodiscard]] double ambient() const noexcept { return ambient_; }
+
+    /// Samples of one unit and replicate: what it costs. @param ambient  as for estimate()
+    [[nodiscard]] double samples_of(const DirectPlan& plan, double ambient) const noexcept;
 
     /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate + number of
     /// totals), lx per channel: adds to the ledger, whose "points" are the replicates.
     /// @param looks  multiplies the number of samples, 1 .. most_looks; with a larger one from
     /// some unit on no number is drawn twice
+    /// @param ambient  what the receiver gets by reflections, roughly, lx: looks are spent where
+    /// they matter beside all its light
     void estimate(const Receiver& receiver,
                   const DirectPlan& plan,
                   std::uint64_t receiver_index,
                   std::uint64_t seed,
                   std::uint32_t unit,
                   std::uint32_t looks,
+                  double ambient,
                   std::uint32_t first_replicate,
                   const LightLedger& ledger,
                   std::uint64_t& rays) const;
@@ -130,6 +139,7 @@ private:
     const MirrorImages* images_;
     ClearView view_;
     bool samples_images_ = false; ///< openings are seen in imaged mirrors
+    double ambient_ = 0.0;        ///< lx
 };
 
 } // namespace isolux

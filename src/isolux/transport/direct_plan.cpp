@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -24,6 +25,9 @@ constexpr double rule_error = 1e-4;
 /// More than any light: a rough value will do.
 constexpr double anything = std::numeric_limits<double>::infinity();
 
+/// beta (1 - beta) where the pilot's rays agree: what they may have missed, METHODS eq. (141).
+constexpr double unseen = 0.005;
+
 /// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked
 /// at one by one.
 constexpr double negligible = 1e-4;
@@ -41,6 +45,8 @@ DirectLight::DirectLight(const Scene& scene,
     if (!images.chains().empty())
         for (const Luminaire& l : scene.luminaires)
             samples_images_ = samples_images_ || l.opening.form != OpeningForm::point;
+    if (scene.total_area > 0.0)
+        ambient_ = emission.total_flux() / scene.total_area;
 }
 
 bool DirectLight::is_point_like(std::size_t luminaire, const Point3& at) const noexcept {
@@ -109,7 +115,7 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
     if (emission_->total_flux() <= 0.0)
         return plan;
     const Task task{
-        receiver, clear_point(*scene_, receiver), seed, receiver_index, 0, 0, 1, keeps_terms};
+        receiver, clear_point(*scene_, receiver), seed, receiver_index, 0, 0, 1, 0.0, keeps_terms};
     std::vector<std::uint32_t> points;
     for (const std::uint32_t l : choose(receiver, plan)) {
         if (is_point_like(l, task.clear))
@@ -120,6 +126,7 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
     know_openings(task, plan);
     plan_points(task, points, plan, rays);
     plan_images(task, plan, rays);
+    plan.seen += luminance_sum(plan.known);
     // Plans stay for the whole calculation, one for every receiver.
     plan.openings.shrink_to_fit();
     plan.terms.shrink_to_fit();
@@ -247,7 +254,11 @@ void DirectLight::know_openings(const Task& task, DirectPlan& plan) const {
         }
     std::erase_if(plan.openings, [&](DirectPlan::Opening& o) {
         const double rough = std::exchange(o.unshadowed, -1.0);
-        if (o.visible_share <= 0.0F)
+        const auto beta = static_cast<double>(o.visible_share);
+        o.spread = static_cast<float>(rough * std::sqrt(std::max(beta * (1.0 - beta), unseen)));
+        if (!o.is_clear)
+            plan.seen += beta * rough;
+        if (beta <= 0.0)
             return false; // nothing is taken of it
         const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, o.luminaire);
         const std::optional<double> known =

@@ -20,6 +20,7 @@ struct DirectLight::Task {
     std::uint32_t unit = 0;
     std::uint32_t first_replicate = 0;
     std::uint32_t looks = 1; ///< multiplies the numbers of samples
+    double illuminance = 0.0; ///< of the receiver, roughly, lx
     bool keeps_terms = false;
 
     struct Pair {

@@ -73,6 +73,41 @@ void leave_corners(const VertexCache& cache,
     }
 }
 
+/// Which of some numbers, `stride` apart, the running sum passes `left` with; never one that is
+/// 0. @param left  what is left of it there  @pre one of them is not 0
+template <std::size_t stride>
+std::size_t pass(const float* values, std::size_t count, float& left) noexcept {
+    const auto at = [values](std::size_t i) { return values[i * stride]; };
+    std::size_t found = 0;
+    float before = 0.0F;
+    if (count == columns) { // by fours, without a branch that could be guessed wrong
+        std::array<float, 4> to{}; // running sum up to a four
+        for (std::size_t k = 1; k < 4; ++k) {
+            const std::size_t f = 4 * (k - 1);
+            to[k] = to[k - 1] + ((at(f) + at(f + 1)) + (at(f + 2) + at(f + 3)));
+        }
+        const std::size_t four = std::size_t{to[1] <= left} + std::size_t{to[2] <= left}
+                                 + std::size_t{to[3] <= left};
+        std::array<float, 4> in{to[four]};
+        for (std::size_t k = 1; k < 4; ++k)
+            in[k] = in[k - 1] + at(4 * four + k - 1);
+        const std::size_t one = std::size_t{in[1] <= left} + std::size_t{in[2] <= left}
+                                + std::size_t{in[3] <= left};
+        found = 4 * four + one;
+        before = in[one];
+    } else {
+        while (found + 1 < count && before + at(found) <= left)
+            before += at(found++);
+    }
+    // Rounding may have led to one without light: the nearest one before it, else after it.
+    while (found > 0 && at(found) <= 0.0F)
+        --found;
+    while (at(found) <= 0.0F)
+        ++found;
+    left -= before;
+    return found;
+}
+
 /// The running sum of one point over all vertices, by blocks, columns and rows.
 class RunningSum {
 public:
@@ -102,28 +137,10 @@ public:
         while (block_ + 1 < block_sums_->size() && before_ + (*block_sums_)[block_] <= target)
             before_ += (*block_sums_)[block_++];
         const std::size_t block = with_light(block_);
-        double inside = before_;
-        const float* c = columns_ + block * columns;
-        std::size_t column = columns;
-        for (std::size_t k = 0; k < columns; ++k) {
-            if (c[k] <= 0.0F)
-                continue;
-            column = k;
-            if (inside + static_cast<double>(c[k]) > target)
-                break;
-            inside += static_cast<double>(c[k]);
-        }
-        const float* u = u_ + block * VertexBlock::size + column;
-        std::size_t row = 0;
-        for (std::size_t k = 0; k < cache_->blocks[block].rows; ++k) {
-            const float value = u[k * columns];
-            if (value <= 0.0F)
-                continue;
-            row = k;
-            inside += static_cast<double>(value);
-            if (inside > target)
-                break;
-        }
+        auto left = static_cast<float>(target - before_);
+        const std::size_t column = pass<1>(columns_ + block * columns, columns, left);
+        const std::size_t row = pass<columns>(
+            u_ + block * VertexBlock::size + column, cache_->blocks[block].rows, left);
         return block * VertexBlock::size + row * columns + column;
     }
 
@@ -296,8 +313,10 @@ std::span<const LocalDraw> gather_local_estimates(const Scene& scene,
         for (std::size_t i = 0; i < n; ++i)
             if (max_channel(scratch.draws[first + i].light) > 0.0)
                 wanted |= 1U << i;
-        scene.caster.transmittance16(
-            std::span(scratch.segments).subspan(first, n), wanted, std::span(visible).first(n));
+        scene.caster.transmittance16(std::span(scratch.segments).subspan(first, n),
+                                     wanted,
+                                     std::span(visible).first(n),
+                                     RayOrder::scattered);
         for (std::size_t i = 0; i < n; ++i) {
             LocalDraw draw = scratch.draws[first + i];
             if ((wanted >> i & 1U) == 0 || visible[i] <= 0.0F)

@@ -32,17 +32,13 @@ public:
     [[nodiscard]] double value(const Look& look) const noexcept;
 
     /// The illuminance without shadows, lx, where it is known: (12) for a Lambertian panel on a
-    /// plane, otherwise by Gauss-Legendre rules of growing order that agree (METHODS
-    /// "Openings with a photometric table"). Nothing where they do not, or where the receiver's
-    /// horizon cuts the opening.
+    /// plane, otherwise by rules that agree (METHODS "Openings with a photometric table").
+    /// Nothing very near an opening.
     /// @param negligible  two rules agree if they differ by less than this, lx, or by 2e-5
-    [[nodiscard]] std::optional<double> unshadowed(double negligible = 0.0) const noexcept;
+    [[nodiscard]] std::optional<double> unshadowed(double negligible = 0.0) const;
 
 private:
-    [[nodiscard]] std::optional<double> integrate(std::size_t facet,
-                                                  double negligible) const noexcept;
-    [[nodiscard]] double
-    apply_rule(std::size_t facet, std::size_t order, std::size_t other_order) const noexcept;
+    [[nodiscard]] std::optional<double> integrate(std::size_t facet, double negligible) const;
 
     const Scene* scene_;
     const Emission* emission_;

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstdint>
+
+namespace isolux {
+
+/// How the rays of a packet lie to each other. It changes how fast they are, not what they meet.
+enum class RayOrder : std::uint8_t {
+    bundled,   ///< side by side all the way: from one place to one luminaire, say
+    scattered, ///< to or from anywhere
+};
+
+} // namespace isolux
