@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 #include "isolux/base/check.h"
@@ -21,30 +20,31 @@ constexpr std::uint32_t shadowed_samples = 4;   ///< per replicate, in a penumbr
 constexpr double fewest_looks = 1.0 / 16.0;
 constexpr double most_looks_at_once = 64.0;
 
-/// Samples of one luminaire in the image that a chain of mirrors makes of it, per replicate:
-/// fewer where little of it is reflected.
-std::uint32_t samples_of_image(double strength) noexcept {
-    return static_cast<std::uint32_t>(
-        std::ceil(std::clamp(strength * shadowed_samples, 1.0, 1.0 * shadowed_samples)));
-}
-
 /// The tail takes its numbers as if it were this luminaire.
 constexpr std::size_t tail_luminaire = 0xffffffU;
 
 /// A look that is uncertain by this share of the receiver's light is taken
 /// `shadowed_samples` times.
-static const double spread_of_few = getenv("SF") ? atof(getenv("SF")) : 0.4;
+constexpr double spread_of_few = 0.4;
 
-/// Rays to an opening in one unit and replicate, METHODS eq. (141): a power of two; below 1, how
-/// many of the units take one.
-double looks_at(const DirectPlan::Opening& opening, double light, std::uint32_t looks) noexcept {
-    if (opening.is_clear)
-        return 0.0;
-    const double share = static_cast<double>(opening.spread) / (spread_of_few * light);
-    const double n = std::clamp(std::cbrt(share * share), fewest_looks / shadowed_samples,
-                                most_looks_at_once / shadowed_samples);
-    return looks * shadowed_samples * std::exp2(std::round(std::log2(n)));
+/// Rays to something in one unit and replicate, METHODS eq. (141): a power of two; below 1, how
+/// many of the units take one. @param spread  of one ray, lx  @param illuminance  lx
+double rays_for(double spread, double illuminance, std::uint32_t looks) noexcept {
+    const double share = spread / (spread_of_few * illuminance);
+    const double n = std::clamp(
+        shadowed_samples * std::cbrt(share * share), fewest_looks, most_looks_at_once);
+    return looks * std::exp2(std::round(std::log2(n)));
 }
+
+double
+looks_at(const DirectPlan::Opening& opening, double illuminance, std::uint32_t looks) noexcept {
+    return opening.is_clear
+               ? 0.0
+               : rays_for(static_cast<double>(opening.spread), illuminance, looks);
+}
+
+/// Whether what is looked at less than once a unit has its turn. @param u  of the unit, in [0, 1)
+bool has_turn(double wanted, double u) noexcept { return wanted >= 1.0 || u < wanted; }
 
 /// Rays of one receiver wait here for a whole packet.
 class RayPacket {
@@ -91,6 +91,21 @@ private:
     std::size_t n_ = 0;
     std::uint32_t wanted_ = 0;
 };
+
+/// The most that some places of an opening send to a place that faces them, without shadows, lx.
+double brightest(const Emission& emission, const OpeningView& view, const Point3& at) noexcept {
+    double most = 0.0;
+    for (const double u : {0.25, 0.75})
+        for (const double v : {0.25, 0.75}) {
+            const EmissionPoint from = view.sample(u, v);
+            const Vector3 d = at - from.position;
+            const double d2 = length_squared(d);
+            const double density = view.pdf(from);
+            if (d2 > 0.0 && density > 0.0)
+                most = std::max(most, emission.evaluate(from, UnitVector3(d)) / (density * d2));
+        }
+    return most;
+}
 
 } // namespace
 
@@ -141,8 +156,7 @@ double DirectLight::samples_of(const DirectPlan& plan, double ambient) const noe
         sum += looks_at(o, plan.seen + ambient, 1)
                + (o.unshadowed < 0.0 && o.visible_share > 0.0F ? unshadowed_samples : 0U);
     for (std::size_t c = 0; samples_images_ && c < images_->chains().size(); ++c)
-        sum += static_cast<double>(emission_->luminaires()
-                                   * samples_of_image(images_->strength(c)));
+        sum += fewest_looks * static_cast<double>(emission_->luminaires()); // at least
     return sum;
 }
 
@@ -176,7 +190,7 @@ void DirectLight::add_opening(const Task& task,
     // that their error falls from unit to unit.
     for (std::size_t r = 0; r < replicates; ++r) {
         const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-        if (wanted < 1.0 && task.pair(opening.luminaire, replicate, 1)(task.unit)[0] >= wanted)
+        if (!has_turn(wanted, task.pair(opening.luminaire, replicate, 1)(task.unit)[0]))
             continue;
         const auto numbers = task.pair(opening.luminaire, replicate, 0);
         for (std::uint32_t i = 0; i < looks; ++i) {
@@ -287,11 +301,14 @@ void DirectLight::add_images(const Task& task,
                 || !may_reflect(*images_, chains[c].back(), emission_->luminaire(l), image))
                 continue;
             const OpeningView view = emission_->view(l, image);
+            const double spread = images_->strength(c) * brightest(*emission_, view, image);
+            const double wanted = rays_for(spread, task.illuminance, task.looks);
+            const auto samples = static_cast<std::uint32_t>(std::ceil(wanted));
             for (std::size_t r = 0; r < ledger.total.size(); ++r) {
-                const auto numbers = task.pair(
-                    l, task.first_replicate + static_cast<std::uint32_t>(r), 0, c + 1);
-                const std::uint32_t samples =
-                    task.looks * samples_of_image(images_->strength(c));
+                const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
+                if (!has_turn(wanted, task.pair(l, replicate, 1, c + 1)(task.unit)[0]))
+                    continue;
+                const auto numbers = task.pair(l, replicate, 0, c + 1);
                 double sum = 0.0;
                 for (std::uint32_t i = 0; i < samples; ++i)
                     sum += image_light(*scene_,
@@ -304,7 +321,7 @@ void DirectLight::add_images(const Task& task,
                                        numbers(task.unit * samples + i),
                                        rays);
                 if (sum > 0.0)
-                    ledger.add(r, l, (sum / samples) * emission_->colour(l));
+                    ledger.add(r, l, (sum / wanted) * emission_->colour(l));
             }
         }
     }
