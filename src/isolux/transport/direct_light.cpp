@@ -24,13 +24,13 @@ constexpr double most_looks_at_once = 64.0;
 constexpr std::size_t tail_luminaire = 0xffffffU;
 
 /// A look that is uncertain by this share of the receiver's light is taken
-/// `shadowed_samples` times.
+/// `shadowed_samples` times: METHODS eq. (141).
 constexpr double spread_of_few = 0.4;
 
 /// Rays to something in one unit and replicate, METHODS eq. (141): a power of two; below 1, how
 /// many of the units take one. @param spread  of one ray, lx  @param illuminance  lx
 double rays_for(double spread, double illuminance, std::uint32_t looks) noexcept {
-    const double share = spread / (spread_of_few * illuminance);
+    const double share = spread > 0.0 ? spread / (spread_of_few * illuminance) : 0.0;
     const double n = std::clamp(
         shadowed_samples * std::cbrt(share * share), fewest_looks, most_looks_at_once);
     return looks * std::exp2(std::round(std::log2(n)));
@@ -43,8 +43,25 @@ looks_at(const DirectPlan::Opening& opening, double illuminance, std::uint32_t l
                : rays_for(static_cast<double>(opening.spread), illuminance, looks);
 }
 
-/// Whether what is looked at less than once a unit has its turn. @param u  of the unit, in [0, 1)
-bool has_turn(double wanted, double u) noexcept { return wanted >= 1.0 || u < wanted; }
+/// Looks at something in the unit of a replicate.
+struct Turn {
+    std::uint32_t looks = 0;
+    std::uint32_t first = 0; ///< number of the first of them in the replicate
+};
+
+/// Less than one look a unit: one in every 1/wanted units, in which of them `places` tells, the
+/// number of a unit to a place in [0, 1). Looks are numbered without gaps all the same: their
+/// sequence would else never get out of a part of the opening.
+template <class Places>
+Turn turn_of(double wanted, std::uint32_t unit, const Places& places) noexcept {
+    if (wanted >= 1.0) {
+        const auto looks = static_cast<std::uint32_t>(wanted);
+        return {looks, unit * looks};
+    }
+    if (!(places(unit)[0] < wanted))
+        return {};
+    return {1, static_cast<std::uint32_t>(wanted * unit)};
+}
 
 /// Rays of one receiver wait here for a whole packet.
 class RayPacket {
@@ -170,8 +187,6 @@ void DirectLight::add_opening(const Task& task,
     const Rgb colour = emission_->colour(opening.luminaire);
     const auto beta = static_cast<double>(opening.visible_share);
     const double wanted = looks_at(opening, task.illuminance, task.looks);
-    // fewer than one: that one in some of the units, which stands for those of the others
-    const auto looks = static_cast<std::uint32_t>(std::ceil(wanted));
     const std::size_t replicates = ledger.total.size();
     thread_local std::vector<double> sums;
     sums.assign(replicates, 0.0);
@@ -190,13 +205,13 @@ void DirectLight::add_opening(const Task& task,
     // that their error falls from unit to unit.
     for (std::size_t r = 0; r < replicates; ++r) {
         const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-        if (!has_turn(wanted, task.pair(opening.luminaire, replicate, 1)(task.unit)[0]))
-            continue;
+        const Turn turn =
+            turn_of(wanted, task.unit, task.pair(opening.luminaire, replicate, 1));
         const auto numbers = task.pair(opening.luminaire, replicate, 0);
-        for (std::uint32_t i = 0; i < looks; ++i) {
+        for (std::uint32_t i = 0; i < turn.looks; ++i) {
             if (packet.is_full())
                 settle();
-            const auto [u, v] = numbers(task.unit * looks + i);
+            const auto [u, v] = numbers(turn.first + i);
             const std::size_t k = packet.size();
             of[k] = r;
             seen[k] = light.look(u, v);
@@ -205,7 +220,7 @@ void DirectLight::add_opening(const Task& task,
     }
     settle();
     for (std::size_t r = 0; r < replicates; ++r) {
-        double e = looks > 0 ? sums[r] / wanted : 0.0;
+        double e = wanted > 0.0 ? sums[r] / wanted : 0.0;
         if (beta > 0.0)
             e += beta * unshadowed(task, opening, light, r);
         if (e != 0.0)
@@ -303,14 +318,13 @@ void DirectLight::add_images(const Task& task,
             const OpeningView view = emission_->view(l, image);
             const double spread = images_->strength(c) * brightest(*emission_, view, image);
             const double wanted = rays_for(spread, task.illuminance, task.looks);
-            const auto samples = static_cast<std::uint32_t>(std::ceil(wanted));
             for (std::size_t r = 0; r < ledger.total.size(); ++r) {
                 const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-                if (!has_turn(wanted, task.pair(l, replicate, 1, c + 1)(task.unit)[0]))
-                    continue;
+                const Turn turn =
+                    turn_of(wanted, task.unit, task.pair(l, replicate, 1, c + 1));
                 const auto numbers = task.pair(l, replicate, 0, c + 1);
                 double sum = 0.0;
-                for (std::uint32_t i = 0; i < samples; ++i)
+                for (std::uint32_t i = 0; i < turn.looks; ++i)
                     sum += image_light(*scene_,
                                        *emission_,
                                        *images_,
@@ -318,7 +332,7 @@ void DirectLight::add_images(const Task& task,
                                        task.receiver,
                                        task.clear,
                                        view,
-                                       numbers(task.unit * samples + i),
+                                       numbers(turn.first + i),
                                        rays);
                 if (sum > 0.0)
                     ledger.add(r, l, (sum / wanted) * emission_->colour(l));
@@ -332,12 +346,11 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::uint64_t receiver_index,
                            std::uint64_t seed,
                            std::uint32_t unit,
-                           std::uint32_t looks,
-                           double ambient,
+                           const DirectEffort& effort,
                            std::uint32_t first_replicate,
                            const LightLedger& ledger,
                            std::uint64_t& rays) const {
-    ISOLUX_EXPECT(looks >= 1 && looks <= most_looks);
+    ISOLUX_EXPECT(effort.looks >= 1 && effort.looks <= most_looks);
     const std::size_t replicates = ledger.total.size();
     for (Rgb& total : ledger.total)
         total += plan.known;
@@ -354,8 +367,8 @@ void DirectLight::estimate(const Receiver& receiver,
                     receiver_index,
                     unit,
                     first_replicate,
-                    looks,
-                    plan.seen + ambient};
+                    effort.looks,
+                    plan.seen + effort.ambient};
     for (const DirectPlan::Opening& opening : plan.openings)
         add_opening(task, opening, ledger, rays);
     if (!plan.tail.empty())
@@ -378,8 +391,7 @@ void DirectLight::estimate(const Receiver& receiver,
              receiver_index,
              seed,
              unit,
-             1,
-             ambient_,
+             {1, ambient_},
              first_replicate,
              {result, nullptr, {}, {}},
              rays);

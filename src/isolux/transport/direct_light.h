@@ -47,6 +47,16 @@ struct DirectPlan {
     std::uint32_t tail_draws = 0;
 };
 
+/// How much a receiver is looked after.
+struct DirectEffort {
+    /// Multiplies the number of samples, 1 .. DirectLight::most_looks; with a larger one from
+    /// some unit on no number is drawn twice.
+    std::uint32_t looks = 1;
+    /// What the receiver gets by reflections, roughly, lx: looks are spent where they matter
+    /// beside all its light.
+    double ambient = 0.0;
+};
+
 /// Light straight from the luminaires (and by imaged mirrors), METHODS "Direct illuminance".
 ///
 /// A luminaire that nothing hides, or that counts as a point, is one exact number, calculated
@@ -73,22 +83,17 @@ public:
     /// ray.
     [[nodiscard]] double ambient() const noexcept { return ambient_; }
 
-    /// Samples of one unit and replicate: what it costs. @param ambient  as for estimate()
+    /// Samples of one unit and replicate: what it costs. @param ambient  of DirectEffort
     [[nodiscard]] double samples_of(const DirectPlan& plan, double ambient) const noexcept;
 
     /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate + number of
     /// totals), lx per channel: adds to the ledger, whose "points" are the replicates.
-    /// @param looks  multiplies the number of samples, 1 .. most_looks; with a larger one from
-    /// some unit on no number is drawn twice
-    /// @param ambient  what the receiver gets by reflections, roughly, lx: looks are spent where
-    /// they matter beside all its light
     void estimate(const Receiver& receiver,
                   const DirectPlan& plan,
                   std::uint64_t receiver_index,
                   std::uint64_t seed,
                   std::uint32_t unit,
-                  std::uint32_t looks,
-                  double ambient,
+                  const DirectEffort& effort,
                   std::uint32_t first_replicate,
                   const LightLedger& ledger,
                   std::uint64_t& rays) const;

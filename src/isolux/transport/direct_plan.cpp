@@ -219,9 +219,11 @@ void DirectLight::plan_opening(const Task& task,
         std::array<float, packet_size> visible{};
         const auto numbers = task.pair(luminaire, pilot_replicate, 0);
         std::uint32_t wanted = 0;
+        double mean = 0.0;
         for (std::uint32_t i = 0; i < pilot_rays; ++i) {
             const auto [u, v] = numbers(i);
             const Look k = light.look(u, v);
+            mean += light.value(k) / pilot_rays;
             segments[i] = {task.clear, k.departure};
             if (k.response > 0.0)
                 wanted |= 1U << i;
@@ -232,6 +234,8 @@ void DirectLight::plan_opening(const Task& task,
                                            std::span(visible).first(pilot_rays));
             rays += pilot_rays;
         }
+        if (!rough)
+            opening.unshadowed = mean;
         float seen = 0.0F;
         for (std::uint32_t i = 0; i < pilot_rays; ++i)
             if ((wanted >> i & 1U) != 0)
