@@ -84,7 +84,7 @@ TEST(Threads, GiveTheSameBytesWithATreeOfVertices) {
                                                                      Frame{{0.05, 0.05, 0.75}},
                                                                      Metre(4.9),
                                                                      Metre(3.9),
-                                                                     {90, 70},
+                                                                     {130, 100},
                                                                      {},
                                                                      IlluminanceKind::planar,
                                                                      UnitVector3{})};

@@ -134,9 +134,12 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     scene.corner = corner;
     scene.direct = [&](std::size_t i, std::uint32_t first, std::span<double> values) {
         RayCounts unused;
+        RayCounts counted;
         plan_direct(i, unused);
-        estimate_direct(i, 0, first, values, unused);
-        return direct_.samples_of(plans_[i], ambient_of(i));
+        estimate_direct(i, 0, first, values, counted);
+        return std::max(direct_.samples_of(plans_[i], ambient_of(i)),
+                        static_cast<double>(counted.shadow)
+                            / static_cast<double>(values.size()));
     };
     pilot_ = run_pilot(scene, target);
     if (!pilot_.importance.is_even())
@@ -161,9 +164,10 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
 double Engine::ambient_of(std::size_t receiver) const noexcept {
     constexpr double darkest_share = 0.02; // darker than that nobody has to know it exactly
     const auto c = static_cast<std::size_t>(classes_[receiver]);
-    const double guess = direct_.ambient();
-    return pilot_.points[c] == 0 ? guess
-                                 : std::max(pilot_.reflected[c], darkest_share * guess);
+    const double least = darkest_share * direct_.ambient();
+    if (settings_.direct_only)
+        return least;
+    return pilot_.points[c] == 0 ? direct_.ambient() : std::max(least, pilot_.reflected[c]);
 }
 
 PilotScene Engine::pilot_scene() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "isolux/base/parallel.h"
 #include "isolux/calc/find_importance.h"
@@ -201,6 +202,7 @@ Pilot summarise(std::span<const PointVariance> points,
                 const ByClass<std::size_t>& all_points,
                 const PilotTarget& target) {
     Pilot pilot;
+    pilot.reflected.fill(std::numeric_limits<double>::max());
     ByClass<double> gatherers{};
     for (std::size_t i = 0; i < points.size(); ++i) {
         ++pilot.points[static_cast<std::size_t>(classes[i])];
@@ -222,9 +224,9 @@ Pilot summarise(std::span<const PointVariance> points,
         std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto c = static_cast<std::size_t>(classes[i]);
-        const double share_of_class = 1.0 / static_cast<double>(pilot.points[c]);
-        pilot.of_class[c].look_samples += share_of_class * points[i].model.look_samples;
-        pilot.reflected[c] += share_of_class * points[i].reflected;
+        pilot.of_class[c].look_samples +=
+            points[i].model.look_samples / static_cast<double>(pilot.points[c]);
+        pilot.reflected[c] = std::min(pilot.reflected[c], points[i].reflected);
         const double half = target.tolerance * std::max(points[i].value, floor);
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t unshadowed_samples = 4; ///< per replicate, where no value is known
 constexpr std::uint32_t shadowed_samples = 4;   ///< per replicate, in a penumbra
-constexpr double fewest_looks = 1.0 / 16.0;
+constexpr double fewest_looks = 0.25;
 constexpr double most_looks_at_once = 64.0;
 
 /// The tail takes its numbers as if it were this luminaire.
@@ -25,12 +26,14 @@ constexpr std::size_t tail_luminaire = 0xffffffU;
 
 /// A look that is uncertain by this share of the receiver's light is taken
 /// `shadowed_samples` times: METHODS eq. (141).
-constexpr double spread_of_few = 0.4;
+constexpr double spread_of_few = 0.3;
 
 /// Rays to something in one unit and replicate, METHODS eq. (141): a power of two; below 1, how
 /// many of the units take one. @param spread  of one ray, lx  @param illuminance  lx
 double rays_for(double spread, double illuminance, std::uint32_t looks) noexcept {
-    const double share = spread > 0.0 ? spread / (spread_of_few * illuminance) : 0.0;
+    if (!(spread > 0.0))
+        return looks; // nothing is known
+    const double share = spread / (spread_of_few * illuminance);
     const double n = std::clamp(
         shadowed_samples * std::cbrt(share * share), fewest_looks, most_looks_at_once);
     return looks * std::exp2(std::round(std::log2(n)));
@@ -38,9 +41,8 @@ double rays_for(double spread, double illuminance, std::uint32_t looks) noexcept
 
 double
 looks_at(const DirectPlan::Opening& opening, double illuminance, std::uint32_t looks) noexcept {
-    return opening.is_clear
-               ? 0.0
-               : rays_for(static_cast<double>(opening.spread), illuminance, looks);
+    return opening.is_clear ? 0.0
+                            : rays_for(static_cast<double>(opening.spread), illuminance, looks);
 }
 
 /// Looks at something in the unit of a replicate.
@@ -109,7 +111,8 @@ private:
     std::uint32_t wanted_ = 0;
 };
 
-/// The most that some places of an opening send to a place that faces them, without shadows, lx.
+/// The most that some places of an opening send to a place that faces them, without shadows,
+/// lx.
 double brightest(const Emission& emission, const OpeningView& view, const Point3& at) noexcept {
     double most = 0.0;
     for (const double u : {0.25, 0.75})
@@ -172,8 +175,6 @@ double DirectLight::samples_of(const DirectPlan& plan, double ambient) const noe
     for (const DirectPlan::Opening& o : plan.openings)
         sum += looks_at(o, plan.seen + ambient, 1)
                + (o.unshadowed < 0.0 && o.visible_share > 0.0F ? unshadowed_samples : 0U);
-    for (std::size_t c = 0; samples_images_ && c < images_->chains().size(); ++c)
-        sum += fewest_looks * static_cast<double>(emission_->luminaires()); // at least
     return sum;
 }
 
@@ -205,8 +206,7 @@ void DirectLight::add_opening(const Task& task,
     // that their error falls from unit to unit.
     for (std::size_t r = 0; r < replicates; ++r) {
         const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-        const Turn turn =
-            turn_of(wanted, task.unit, task.pair(opening.luminaire, replicate, 1));
+        const Turn turn = turn_of(wanted, task.unit, task.turns(opening.luminaire, replicate));
         const auto numbers = task.pair(opening.luminaire, replicate, 0);
         for (std::uint32_t i = 0; i < turn.looks; ++i) {
             if (packet.is_full())
@@ -320,8 +320,7 @@ void DirectLight::add_images(const Task& task,
             const double wanted = rays_for(spread, task.illuminance, task.looks);
             for (std::size_t r = 0; r < ledger.total.size(); ++r) {
                 const auto replicate = task.first_replicate + static_cast<std::uint32_t>(r);
-                const Turn turn =
-                    turn_of(wanted, task.unit, task.pair(l, replicate, 1, c + 1));
+                const Turn turn = turn_of(wanted, task.unit, task.turns(l, replicate, c + 1));
                 const auto numbers = task.pair(l, replicate, 0, c + 1);
                 double sum = 0.0;
                 for (std::uint32_t i = 0; i < turn.looks; ++i)
@@ -350,7 +349,7 @@ void DirectLight::estimate(const Receiver& receiver,
                            std::uint32_t first_replicate,
                            const LightLedger& ledger,
                            std::uint64_t& rays) const {
-    ISOLUX_EXPECT(effort.looks >= 1 && effort.looks <= most_looks);
+    ISOLUX_EXPECT(std::has_single_bit(effort.looks) && effort.looks <= most_looks);
     const std::size_t replicates = ledger.total.size();
     for (Rgb& total : ledger.total)
         total += plan.known;

@@ -26,9 +26,9 @@ struct DirectPlan {
     struct Opening {
         std::uint32_t luminaire = 0;
         float visible_share = 1.0F; ///< beta of METHODS eq. (13), from pilot rays
+        float spread = 0.0F;        ///< of one look, roughly, lx: METHODS eq. (141)
         bool is_clear = false;      ///< nothing stands in between: no rays needed
         double unshadowed = -1.0;   ///< lx; negative: not known
-        float spread = 0.0F;        ///< of one look, roughly, lx: METHODS eq. (141)
     };
 
     /// A part of the light tree from which luminaires are drawn.
@@ -49,8 +49,8 @@ struct DirectPlan {
 
 /// How much a receiver is looked after.
 struct DirectEffort {
-    /// Multiplies the number of samples, 1 .. DirectLight::most_looks; with a larger one from
-    /// some unit on no number is drawn twice.
+    /// Multiplies the number of samples, a power of two up to DirectLight::most_looks; with a
+    /// larger one from some unit on no number is drawn twice.
     std::uint32_t looks = 1;
     /// What the receiver gets by reflections, roughly, lx: looks are spent where they matter
     /// beside all its light.
@@ -83,7 +83,8 @@ public:
     /// ray.
     [[nodiscard]] double ambient() const noexcept { return ambient_; }
 
-    /// Samples of one unit and replicate: what it costs. @param ambient  of DirectEffort
+    /// Samples of one unit and replicate, without those of images. @param ambient  of
+    /// DirectEffort
     [[nodiscard]] double samples_of(const DirectPlan& plan, double ambient) const noexcept;
 
     /// Illuminance of unit `unit` for replicates [first_replicate, first_replicate + number of

@@ -26,7 +26,7 @@ constexpr double rule_error = 1e-4;
 constexpr double anything = std::numeric_limits<double>::infinity();
 
 /// beta (1 - beta) where the pilot's rays agree: what they may have missed, METHODS eq. (141).
-constexpr double unseen = 0.005;
+constexpr double unseen = 0.03;
 
 /// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked
 /// at one by one.
@@ -46,7 +46,7 @@ DirectLight::DirectLight(const Scene& scene,
         for (const Luminaire& l : scene.luminaires)
             samples_images_ = samples_images_ || l.opening.form != OpeningForm::point;
     if (scene.total_area > 0.0)
-        ambient_ = emission.total_flux() / scene.total_area;
+        ambient_ = 0.25 * emission.total_flux() / scene.total_area; // where it is rather dark
 }
 
 bool DirectLight::is_point_like(std::size_t luminaire, const Point3& at) const noexcept {
@@ -114,8 +114,15 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
     plan.is_made = true;
     if (emission_->total_flux() <= 0.0)
         return plan;
-    const Task task{
-        receiver, clear_point(*scene_, receiver), seed, receiver_index, 0, 0, 1, 0.0, keeps_terms};
+    const Task task{receiver,
+                    clear_point(*scene_, receiver),
+                    seed,
+                    receiver_index,
+                    0,
+                    0,
+                    1,
+                    0.0,
+                    keeps_terms};
     std::vector<std::uint32_t> points;
     for (const std::uint32_t l : choose(receiver, plan)) {
         if (is_point_like(l, task.clear))
@@ -123,10 +130,10 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
         else
             plan_opening(task, l, plan, rays);
     }
-    know_openings(task, plan);
     plan_points(task, points, plan, rays);
     plan_images(task, plan, rays);
     plan.seen += luminance_sum(plan.known);
+    know_openings(task, plan);
     // Plans stay for the whole calculation, one for every receiver.
     plan.openings.shrink_to_fit();
     plan.terms.shrink_to_fit();
@@ -201,8 +208,8 @@ bool DirectLight::is_wholly_visible(std::size_t luminaire, const Point3& clear) 
     return true;
 }
 
-/// What is seen of an opening. Its light without shadows is a rough value, 0 where none is
-/// known; know_openings() needs it to tell what is worth knowing better.
+/// What is seen of an opening. Its light without shadows is a rough value; know_openings()
+/// needs it to tell what is worth knowing better.
 void DirectLight::plan_opening(const Task& task,
                                std::uint32_t luminaire,
                                DirectPlan& plan,
@@ -211,9 +218,9 @@ void DirectLight::plan_opening(const Task& task,
     const std::optional<double> rough = light.unshadowed(anything);
     if (rough && *rough <= 0.0)
         return;
-    DirectPlan::Opening opening{luminaire, 1.0F, false, rough.value_or(0.0)};
+    DirectPlan::Opening opening{luminaire, 1.0F, 0.0F, false, rough.value_or(0.0)};
     opening.is_clear = is_wholly_visible(luminaire, task.clear);
-    if (!opening.is_clear) {
+    if (!opening.is_clear || !rough) {
         // Pilot: which share of the opening is visible. It only steers.
         std::array<SightSegment, packet_size> segments;
         std::array<float, packet_size> visible{};
@@ -228,14 +235,18 @@ void DirectLight::plan_opening(const Task& task,
             if (k.response > 0.0)
                 wanted |= 1U << i;
         }
+        if (!rough)
+            opening.unshadowed = mean;
+        if (opening.is_clear) {
+            plan.openings.push_back(opening);
+            return;
+        }
         if (wanted != 0) {
             scene_->caster.transmittance16(std::span(segments).first(pilot_rays),
                                            wanted,
                                            std::span(visible).first(pilot_rays));
             rays += pilot_rays;
         }
-        if (!rough)
-            opening.unshadowed = mean;
         float seen = 0.0F;
         for (std::uint32_t i = 0; i < pilot_rays; ++i)
             if ((wanted >> i & 1U) != 0)
@@ -260,8 +271,7 @@ void DirectLight::know_openings(const Task& task, DirectPlan& plan) const {
         const double rough = std::exchange(o.unshadowed, -1.0);
         const auto beta = static_cast<double>(o.visible_share);
         o.spread = static_cast<float>(rough * std::sqrt(std::max(beta * (1.0 - beta), unseen)));
-        if (!o.is_clear)
-            plan.seen += beta * rough;
+        plan.seen += beta * rough;
         if (beta <= 0.0)
             return false; // nothing is taken of it
         const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, o.luminaire);

@@ -19,7 +19,7 @@ struct DirectLight::Task {
     std::uint64_t receiver_index = 0;
     std::uint32_t unit = 0;
     std::uint32_t first_replicate = 0;
-    std::uint32_t looks = 1; ///< multiplies the numbers of samples
+    std::uint32_t looks = 1;  ///< multiplies the numbers of samples
     double illuminance = 0.0; ///< of the receiver, roughly, lx
     bool keeps_terms = false;
 
@@ -42,6 +42,14 @@ struct DirectLight::Task {
         const auto words = stream.words(receiver_index,
                                         static_cast<std::uint32_t>(luminaire) + (chain << 24U));
         return {words[2 * use], words[2 * use + 1]};
+    }
+
+    /// In which of the units something has its turn that is not looked at in all.
+    [[nodiscard]] Pair turns(std::size_t luminaire,
+                             std::uint32_t replicate,
+                             std::uint32_t chain = 0) const noexcept {
+        constexpr std::uint32_t beyond_all_chains = 0x80;
+        return pair(luminaire, replicate, 0, beyond_all_chains + chain);
     }
 
     void keep(DirectPlan& plan, std::size_t luminaire, const Rgb& light) const {

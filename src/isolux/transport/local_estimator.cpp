@@ -80,7 +80,8 @@ std::size_t pass(const float* values, std::size_t count, float& left) noexcept {
     const auto at = [values](std::size_t i) { return values[i * stride]; };
     std::size_t found = 0;
     float before = 0.0F;
-    if (count == columns) { // by fours, without a branch that could be guessed wrong
+    static_assert(columns == 16);
+    if (count == columns) {        // by fours, without a branch that could be guessed wrong
         std::array<float, 4> to{}; // running sum up to a four
         for (std::size_t k = 1; k < 4; ++k) {
             const std::size_t f = 4 * (k - 1);
@@ -102,7 +103,7 @@ std::size_t pass(const float* values, std::size_t count, float& left) noexcept {
     // Rounding may have led to one without light: the nearest one before it, else after it.
     while (found > 0 && at(found) <= 0.0F)
         --found;
-    while (at(found) <= 0.0F)
+    while (found + 1 < count && at(found) <= 0.0F)
         ++found;
     left -= before;
     return found;

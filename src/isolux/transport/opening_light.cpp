@@ -1,11 +1,9 @@
 #include "isolux/transport/opening_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <utility>
 
 #include "isolux/base/polygon.h"
 #include "isolux/transport/opening_rules.h"
@@ -105,9 +103,7 @@ std::optional<double> OpeningLight::integrate(std::size_t facet, double negligib
         return emission_->evaluate({luminaire_, facet, place}, w)
                * evaluate_response(*receiver_, -w) / d2;
     };
-    const auto is_behind = [&](const Point3& p) {
-        return dot(receiver_->axis, p - at_) < 0.0;
-    };
+    const auto is_behind = [&](const Point3& p) { return dot(receiver_->axis, p - at_) < 0.0; };
     if (is_planar(*receiver_) && std::ranges::any_of(vertices, is_behind))
         return integrate_polygon(
             clip_to_half_space(vertices, at_, receiver_->axis), at_, negligible, from_place);

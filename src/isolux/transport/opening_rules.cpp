@@ -25,8 +25,10 @@ constexpr std::array<std::size_t, 9> orders{1, 2, 3, 4, 6, 9, 12, 18, 27};
 /// the step of a table, so that no beam hides between them.
 constexpr double widest_step = 0.1;
 
-/// Places of one polygon at most; with more it is as well drawn at random.
-constexpr std::size_t most_places = 16384;
+/// Places of one polygon at most, and of each triangle of its fan; with more it is as well drawn
+/// at random.
+constexpr std::size_t most_places = 8192;
+constexpr std::size_t most_places_of_a_triangle = 2048;
 
 /// Number in `orders` of the second rule along a side that is seen this long, rad; the number
 /// of orders where none is fine enough.
@@ -125,7 +127,9 @@ bool is_parallelogram(std::span<const Point3> p) noexcept {
 
 class Integral {
 public:
-    Integral(const Point3& eye, const PlaceDensity& density) : eye_(eye), density_(density) {}
+    Integral(const Point3& eye, const PlaceDensity& density, std::size_t triangles)
+        : eye_(eye), density_(density),
+          most_(std::max(most_places, triangles * most_places_of_a_triangle)) {}
 
     std::optional<double> over(Patch patch, double negligible) {
         if (!(patch.area() > 0.0))
@@ -135,7 +139,7 @@ public:
             return std::nullopt; // the eye is in it
         if (const std::optional<double> whole = by_rules(patch, negligible))
             return whole;
-        if (places_ >= most_places)
+        if (places_ >= most_)
             return std::nullopt;
         places_ += 4; // halving has an end, too
         const auto [one, other] = patch.halves();
@@ -150,15 +154,17 @@ private:
         const std::size_t first = second_rule(patch.extent);
         const std::size_t other = second_rule(patch.other_extent);
         const std::size_t last = std::max(first, other);
-        if (last == orders.size())
-            return std::nullopt;              // too near
+        const std::size_t rules =
+            std::isinf(negligible) ? 1 : 2; // that have to follow the first
+        if (last + rules > orders.size())
+            return std::nullopt;                // too near
         const auto apply = [&](std::size_t i) { // 0, 1, 2, ...
             return apply_rule(patch, orders[first + i - 1], orders[other + i - 1]);
         };
         double before = apply(0);
         double change = 0.0;
         for (std::size_t i = 1; i <= orders.size() - last; ++i) {
-            if (places_ > most_places)
+            if (places_ >= most_)
                 return std::nullopt;
             const double now = apply(i);
             const double last_change = std::exchange(change, std::abs(now - before));
@@ -180,10 +186,10 @@ private:
         for (std::size_t i = 0; i < order; ++i) {
             const double narrow = patch.is_triangle ? 1.0 - rule.node[i] : 1.0;
             for (std::size_t k = 0; k < other_order; ++k)
-                sum += rule.weight[i] * other.weight[k] * narrow
-                       * density_(
-                           patch.corner
-                           + (rule.node[i] * patch.a + (narrow * other.node[k]) * patch.b));
+                sum +=
+                    rule.weight[i] * other.weight[k] * narrow
+                    * density_(patch.corner
+                               + (rule.node[i] * patch.a + (narrow * other.node[k]) * patch.b));
         }
         places_ += order * other_order;
         return sum * length(cross(patch.a, patch.b));
@@ -192,6 +198,7 @@ private:
     Point3 eye_;
     const PlaceDensity& density_;
     std::size_t places_ = 0;
+    std::size_t most_;
 };
 
 } // namespace
@@ -200,7 +207,7 @@ std::optional<double> integrate_polygon(std::span<const Point3> polygon,
                                         const Point3& eye,
                                         double negligible,
                                         const PlaceDensity& density) {
-    Integral integral(eye, density);
+    Integral integral(eye, density, polygon.size());
     if (is_parallelogram(polygon))
         return integral.over({polygon[0], polygon[1] - polygon[0], polygon[3] - polygon[0]},
                              negligible);

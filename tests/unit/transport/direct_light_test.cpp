@@ -213,44 +213,47 @@ TEST(DirectLight, KnowsItsOpeningsAsWellAsItMatters) {
     EXPECT_GT(compared, 25);
 }
 
-/// A long pendant close above a desk, seen by the desk and by the wall of a screen whose horizon
-/// cuts it: halves of the opening are known where the whole is too near.
-TEST(OpeningLight, IsKnownCloseToALongOpeningAndAcrossTheHorizon) {
-    test::Builder b;
-    b.add_triangle({0, 0, -900}, {1, 0, -900}, {0, 1, -900}, b.add_diffuse(0.0));
-    LuminaireType type;
-    type.source = IsotropicSource{Lumen(3000.0)};
-    type.opening.shape = OpeningShape::rectangle;
-    type.opening.extent_x = Metre(1.5);
-    type.opening.extent_y = Metre(0.06);
-    Luminaire pendant;
-    pendant.placement.world_from_luminaire.origin = {0, 0, 0.9};
-    pendant.opening =
-        to_world(make_opening(type.opening), pendant.placement.world_from_luminaire);
-    pendant.flux = luminous_flux(type);
-    pendant.placement.type = b.add_type(std::move(type));
-    b.luminaires.push_back(pendant);
-    const Scene scene = b.build();
-    const Emission emission(scene);
-    const std::array receivers{
-        Receiver{{0.2, 0.05, 0.75}, UnitVector3::from_unit({0, 0, 1})},
-        Receiver{{0.2, 0.3, 0.6}, UnitVector3::from_unit({1, 0, 0})},
-        Receiver{{0.2, 0.3, 0.6}, UnitVector3::from_unit({1, 0, 0}), IlluminanceKind::cylindrical},
-        Receiver{{0.2, 0.3, 0.6},
-                 UnitVector3::from_unit({0, 0, 1}),
-                 IlluminanceKind::semi_cylindrical}};
-    for (const Receiver& receiver : receivers) {
-        const OpeningLight light(scene, emission, receiver, receiver.point, 0);
-        const std::optional<double> known = light.unshadowed();
-        ASSERT_TRUE(known.has_value());
-        const double by_places = illuminance_by_places(scene, emission, receiver, 0);
-        EXPECT_NEAR(*known, by_places, 1e-3 * by_places);
-        EXPECT_GT(*known, 0.0);
+/// A long pendant and a round one close above a desk, seen by the desk, by a screen and a
+/// sloping board whose horizons cut them, and by bodies: halves of an opening are known where
+/// the whole is too near.
+TEST(OpeningLight, IsKnownCloseToAnOpeningAndAcrossTheHorizon) {
+    for (const OpeningShape shape : {OpeningShape::rectangle, OpeningShape::ellipse}) {
+        test::Builder b;
+        b.add_triangle({0, 0, -900}, {1, 0, -900}, {0, 1, -900}, b.add_diffuse(0.0));
+        LuminaireType type;
+        type.source = IsotropicSource{Lumen(3000.0)};
+        type.opening.shape = shape;
+        type.opening.extent_x = Metre(1.5);
+        type.opening.extent_y = Metre(shape == OpeningShape::rectangle ? 0.06 : 1.0);
+        Luminaire pendant;
+        pendant.placement.world_from_luminaire.origin = {0, 0, 0.9};
+        pendant.opening =
+            to_world(make_opening(type.opening), pendant.placement.world_from_luminaire);
+        pendant.flux = luminous_flux(type);
+        pendant.placement.type = b.add_type(std::move(type));
+        b.luminaires.push_back(pendant);
+        const Scene scene = b.build();
+        const Emission emission(scene);
+        const std::array axes{Vector3{0, 0, 1}, Vector3{1, 0, 0}, Vector3{0.7, -0.6, 0.1}};
+        for (const IlluminanceKind kind : {IlluminanceKind::planar,
+                                           IlluminanceKind::cylindrical,
+                                           IlluminanceKind::semi_cylindrical})
+            for (const Vector3& axis : axes) {
+                const Receiver receiver{{0.2, 0.3, 0.5}, UnitVector3(axis), kind};
+                const OpeningLight light(scene, emission, receiver, receiver.point, 0);
+                const std::optional<double> known = light.unshadowed();
+                ASSERT_TRUE(known.has_value())
+                    << static_cast<int>(shape) << static_cast<int>(kind);
+                const double by_places = illuminance_by_places(scene, emission, receiver, 0);
+                EXPECT_NEAR(*known, by_places, 2e-3 * by_places);
+                EXPECT_GT(*known, 0.0);
+            }
     }
 }
 
-/// METHODS eq. (141): beside a bright panel a dim one behind an edge is looked at once in 16
-/// units. It keeps its mean, and its error falls with the units like that of its few looks.
+/// METHODS eq. (141): beside a bright panel a dim one behind an edge is looked at once in four
+/// units, later four times as often. It keeps its mean, and its error falls with the units like
+/// that of its looks. Nothing is known of what is visible, so that these have to bring it all.
 TEST(DirectLight, LooksSeldomWhereLittleIsAtStake) {
     constexpr std::uint32_t many = 1024;
     const Receiver receiver{{0, 0, 0}, UnitVector3::from_unit({0, 0, 1})};
@@ -261,7 +264,7 @@ TEST(DirectLight, LooksSeldomWhereLittleIsAtStake) {
     };
     const double share = panel_to(0.25) / panel_to(0.5);
     const double coin =
-        panel_to(0.5) * std::sqrt(share * (1.0 - share) / (many / 16.0 * replicates));
+        panel_to(0.5) * std::sqrt(share * (1.0 - share) / (many / 4.0 * replicates));
     for (const bool is_along_x : {true, false}) {
         const auto at = [&](double x, double y, double z) {
             return is_along_x ? Point3{x, y, z} : Point3{y, x, z};
@@ -275,19 +278,22 @@ TEST(DirectLight, LooksSeldomWhereLittleIsAtStake) {
         const MirrorImages images(scene);
         const DirectLight direct(scene, emission, images);
         std::uint64_t rays = 0;
-        const DirectPlan plan = direct.plan(receiver, 0, 1, false, rays);
+        DirectPlan plan = direct.plan(receiver, 0, 1, false, rays);
         ASSERT_EQ(plan.openings.size(), 1U);
+        plan.openings[0].visible_share = 0.0F;
         rays = 0;
         std::vector<double> sums(replicates, 0.0);
         for (std::uint32_t unit = 0; unit < many; ++unit) {
             std::vector<Rgb> values(replicates);
-            direct.estimate(receiver, plan, 0, 1, unit, {}, 0, {values, nullptr, {}, {}}, rays);
+            const DirectEffort effort{unit < many / 2 ? 1U : 4U, 0.0};
+            direct.estimate(
+                receiver, plan, 0, 1, unit, effort, 0, {values, nullptr, {}, {}}, rays);
             for (std::size_t r = 0; r < replicates; ++r)
                 sums[r] += luminance_sum(values[r] - plan.known) / many;
         }
-        EXPECT_LE(rays, many * replicates / 16U);
+        EXPECT_EQ(rays, many / 2 * replicates / 4U + many / 2 * replicates);
         const Estimate e = estimate_from_replicates(sums);
-        EXPECT_LT(std::abs(e.mean - panel_to(0.25)), 7.0 * e.standard_error);
+        EXPECT_LT(std::abs(e.mean - panel_to(0.25)), 4.0 * e.standard_error);
         EXPECT_LT(e.standard_error, 0.5 * coin);
     }
 }
