@@ -78,16 +78,16 @@ void occluded(RTCScene scene, RTCRay& ray) noexcept {
 }
 
 void occluded(const int* valid, RTCScene scene, RTCRay8& rays, RayOrder order) noexcept {
-    auto context = make_context(order == RayOrder::bundled
-                                    ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    auto context =
+        make_context(order == RayOrder::bundled ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     rtcOccluded8(valid, scene, &context, &rays);
 }
 
 void occluded(const int* valid, RTCScene scene, RTCRay16& rays, RayOrder order) noexcept {
-    auto context = make_context(order == RayOrder::bundled
-                                    ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                    : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    auto context =
+        make_context(order == RayOrder::bundled ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
     rtcOccluded16(valid, scene, &context, &rays);
 }
 

@@ -81,9 +81,8 @@ public:
 
     /// Bit i is set if ray i is occluded; only rays whose bit in `wanted` is set are traced,
     /// the other lanes may hold anything.
-    [[nodiscard]] std::uint32_t find_occluded(const RayPacket& rays,
-                                              std::uint32_t wanted,
-                                              RayOrder order) const noexcept;
+    [[nodiscard]] std::uint32_t
+    find_occluded(const RayPacket& rays, std::uint32_t wanted, RayOrder order) const noexcept;
 
     /// Bit i is set if ray i meets a triangle; then `hits` tells the first one.
     [[nodiscard]] std::uint32_t find_first_hits(const RayPacket& rays,

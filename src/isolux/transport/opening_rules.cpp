@@ -25,8 +25,8 @@ constexpr std::array<std::size_t, 9> orders{1, 2, 3, 4, 6, 9, 12, 18, 27};
 /// the step of a table, so that no beam hides between them.
 constexpr double widest_step = 0.1;
 
-/// Places of one polygon at most, and of each triangle of its fan; with more it is as well drawn
-/// at random.
+/// Places of one polygon at most, and of each triangle of its fan; with more it is as well
+/// drawn at random.
 constexpr std::size_t most_places = 8192;
 constexpr std::size_t most_places_of_a_triangle = 2048;
 

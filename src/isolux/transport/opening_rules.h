@@ -14,7 +14,8 @@ using PlaceDensity = std::function<double(const Point3&)>;
 /// Integral of `density` over a planar convex polygon, by Gauss-Legendre rules of growing order
 /// that agree; where they do not, over its halves: METHODS "Openings with a photometric table".
 /// Nothing where halving has no end in sight.
-/// @param eye         from where the polygon is seen: rules have as many points as it looks large
+/// @param eye         from where the polygon is seen: rules have as many points as it looks
+/// large
 /// @param negligible  two rules agree if they differ by less than this, or by 2e-5; infinite: a
 ///                    rough value will do
 [[nodiscard]] std::optional<double> integrate_polygon(std::span<const Point3> polygon,

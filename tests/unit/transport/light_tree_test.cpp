@@ -267,7 +267,8 @@ TEST(DirectLightUnderManyLuminaires, IsTheSumOfAll) {
         EXPECT_FALSE(plan.tail.empty());
         tail_draws += plan.tail_draws;
         Rgb light;
-        direct.estimate(receiver, plan, 0, seed, 0, {}, 0, {{&light, 1}, nullptr, {}, {}}, rays);
+        direct.estimate(
+            receiver, plan, 0, seed, 0, {}, 0, {{&light, 1}, nullptr, {}, {}}, rays);
         return luminance_sum(light);
     });
     EXPECT_GT(e.standard_error, 0.0);
