@@ -133,15 +133,17 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     scene.gathers = gathers_at_first;
     scene.corner = corner;
     scene.direct = [&](std::size_t i, std::uint32_t first, std::span<double> values) {
-        RayCounts unused;
+        RayCounts once; // plans are made once, whatever comes after
         RayCounts counted;
-        plan_direct(i, unused);
+        plan_direct(i, once);
         estimate_direct(i, 0, first, values, counted);
+        // Images are counted only, unshadowed samples and rare looks are not counted.
         return std::max(direct_.samples_of(plans_[i], ambient_of(i)),
                         static_cast<double>(counted.shadow)
                             / static_cast<double>(values.size()));
     };
     pilot_ = run_pilot(scene, target);
+    foresee_looks();
     if (!pilot_.importance.is_even())
         reach_ = {}; // in the dark vertices stand farther apart than (140) thinks
     costs_ = make_unit_costs(*scene_,
@@ -168,6 +170,26 @@ double Engine::ambient_of(std::size_t receiver) const noexcept {
     if (settings_.direct_only)
         return least;
     return pilot_.points[c] == 0 ? direct_.ambient() : std::max(least, pilot_.reflected[c]);
+}
+
+/// The pilot looked at luminaires as often as the guess of ambient_of() has it; from now on its
+/// own findings count.
+void Engine::foresee_looks() {
+    ByClass<double> before{};
+    ByClass<double> after{};
+    for (std::size_t i = 0; i < receivers_.size(); ++i)
+        if (plans_[i].is_made) { // the pilot was there
+            const auto c = static_cast<std::size_t>(classes_[i]);
+            before[c] += direct_.samples_of(plans_[i], direct_.ambient());
+            after[c] += direct_.samples_of(plans_[i], ambient_of(i));
+        }
+    for (std::size_t c = 0; c < point_classes; ++c) {
+        if (settings_.direct_only || !(before[c] > 0.0 && after[c] > 0.0))
+            continue;
+        const double more = after[c] / before[c];
+        pilot_.of_class[c].look_samples *= more;
+        pilot_.of_class[c].direct /= more * std::sqrt(more);
+    }
 }
 
 PilotScene Engine::pilot_scene() const {

@@ -127,6 +127,7 @@ private:
     /// What reflections bring a receiver, roughly, lx: as the pilot saw it, before it a guess.
     [[nodiscard]] double ambient_of(std::size_t receiver) const noexcept;
 
+    void foresee_looks();
     [[nodiscard]] PilotScene pilot_scene() const;
     [[nodiscard]] NextLook change_estimators(std::span<const OpenPoint> open,
                                              std::size_t units);

@@ -52,7 +52,7 @@ struct Pilot {
     double chain_length = 1.0;       ///< vertices of a path if all carried the same
     ByClass<VarianceModel> of_class; ///< mean over its points; 0 where none was seen
     ByClass<std::size_t> points{};   ///< looked at
-    ByClass<double> reflected{};     ///< lx, the least that one of its points got
+    ByClass<double> reflected{};     ///< lx, the least at one of `points`, if any
     VarianceModel all;               ///< mean over all points of the task
     PathImportance importance;       ///< for the light paths
 };

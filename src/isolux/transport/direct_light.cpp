@@ -17,9 +17,9 @@ namespace isolux {
 namespace {
 
 constexpr std::uint32_t unshadowed_samples = 4; ///< per replicate, where no value is known
-constexpr std::uint32_t shadowed_samples = 4;   ///< per replicate, in a penumbra
-constexpr double fewest_looks = 0.25;
-constexpr double most_looks_at_once = 64.0;
+constexpr std::uint32_t shadowed_samples = 4;   ///< the 4 of METHODS eq. (141)
+constexpr double fewest_looks = 0.25;           ///< times DirectEffort::looks
+constexpr double most_looks_at_once = 64.0;     ///< the same
 
 /// The tail takes its numbers as if it were this luminaire.
 constexpr std::size_t tail_luminaire = 0xffffffU;

@@ -39,8 +39,8 @@ struct DirectPlan {
 
     bool is_made = false;
     Rgb known;               ///< without noise, lx
-    double seen = 0.0;       ///< all that the pilot rays saw, roughly, lx
-    std::vector<Term> terms; ///< the same by luminaire; kept only when asked for
+    double seen = 0.0;       ///< that and what the pilot rays saw, roughly, lx
+    std::vector<Term> terms; ///< `known` by luminaire; kept only when asked for
     std::vector<Opening> openings;
     std::vector<Branch> tail; ///< negligible luminaires, METHODS "Many luminaires"
     double tail_bound = 0.0;  ///< sum over the tail, lx

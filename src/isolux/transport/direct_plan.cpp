@@ -221,7 +221,8 @@ void DirectLight::plan_opening(const Task& task,
     DirectPlan::Opening opening{luminaire, 1.0F, 0.0F, false, rough.value_or(0.0)};
     opening.is_clear = is_wholly_visible(luminaire, task.clear);
     if (!opening.is_clear || !rough) {
-        // Pilot: which share of the opening is visible. It only steers.
+        // Pilot: a rough value where the rules have none, and which share of the opening is
+        // visible. It only steers.
         std::array<SightSegment, packet_size> segments;
         std::array<float, packet_size> visible{};
         const auto numbers = task.pair(luminaire, pilot_replicate, 0);

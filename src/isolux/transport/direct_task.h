@@ -44,7 +44,7 @@ struct DirectLight::Task {
         return {words[2 * use], words[2 * use + 1]};
     }
 
-    /// In which of the units something has its turn that is not looked at in all.
+    /// Tells in which units something that is not looked at in every unit has its turn.
     [[nodiscard]] Pair turns(std::size_t luminaire,
                              std::uint32_t replicate,
                              std::uint32_t chain = 0) const noexcept {

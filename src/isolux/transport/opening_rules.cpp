@@ -25,10 +25,10 @@ constexpr std::array<std::size_t, 9> orders{1, 2, 3, 4, 6, 9, 12, 18, 27};
 /// the step of a table, so that no beam hides between them.
 constexpr double widest_step = 0.1;
 
-/// Places of one polygon at most, and of each triangle of its fan; with more it is as well
-/// drawn at random.
+/// Places of one polygon at most, or for each of its corners where that is more; with more it
+/// is as well drawn at random.
 constexpr std::size_t most_places = 8192;
-constexpr std::size_t most_places_of_a_triangle = 2048;
+constexpr std::size_t most_places_of_a_corner = 2048;
 
 /// Number in `orders` of the second rule along a side that is seen this long, rad; the number
 /// of orders where none is fine enough.
@@ -127,9 +127,9 @@ bool is_parallelogram(std::span<const Point3> p) noexcept {
 
 class Integral {
 public:
-    Integral(const Point3& eye, const PlaceDensity& density, std::size_t triangles)
+    Integral(const Point3& eye, const PlaceDensity& density, std::size_t corners)
         : eye_(eye), density_(density),
-          most_(std::max(most_places, triangles * most_places_of_a_triangle)) {}
+          most_(std::max(most_places, corners * most_places_of_a_corner)) {}
 
     std::optional<double> over(Patch patch, double negligible) {
         if (!(patch.area() > 0.0))

@@ -298,6 +298,50 @@ TEST(DirectLight, LooksSeldomWhereLittleIsAtStake) {
     }
 }
 
+/// The image of a dim panel in a mirror, beside a bright panel: looked at in some of the units
+/// only, METHODS eq. (141), it is that of (34).
+TEST(DirectLight, LooksSeldomAtDimImages) {
+    constexpr std::uint32_t many = 256;
+    constexpr double mirror = 0.5;
+    test::Builder b;
+    b.add_quad({2, -50, -50},
+               {0, 100, 0},
+               {0, 0, 100},
+               b.add_material({"mirror", Opaque{Rgb::grey(0.0), mirror}, Sides::both}));
+    b.add_panel({-0.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}, std::numbers::pi);
+    b.add_panel({-3.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}, 1e4 * std::numbers::pi);
+    const Scene scene = b.build();
+    const Emission emission(scene);
+    const MirrorImages images(scene);
+    const DirectLight direct(scene, emission, images);
+    const Receiver receiver{{0, 0, 0}, UnitVector3::from_unit({0, 0, 1})};
+    std::uint64_t rays = 0;
+    const DirectPlan plan = direct.plan(receiver, 0, 1, false, rays);
+    ASSERT_TRUE(plan.openings.empty());
+    LedgerLayout layout;
+    layout.sources = 2;
+    layout.source_of = {0, 1};
+    std::vector<double> sums(replicates, 0.0);
+    std::size_t without = 0;
+    for (std::uint32_t unit = 0; unit < many; ++unit) {
+        std::vector<Rgb> values(replicates);
+        std::vector<double> by_source(2 * replicates, 0.0);
+        direct.estimate(
+            receiver, plan, 0, 1, unit, {}, 0, {values, &layout, by_source, {}}, rays);
+        for (std::size_t r = 0; r < replicates; ++r) {
+            sums[r] += by_source[r] / many;
+            without += by_source[r] == 0.0 ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(without, many * replicates * 3 / 4);
+    const std::vector<Point3> panel{
+        {-0.5, -0.5, 2}, {0.5, -0.5, 2}, {0.5, 0.5, 2}, {-0.5, 0.5, 2}};
+    const double exact = mirror * projected_solid_angle(panel, {4, 0, 0}, receiver.axis);
+    const Estimate e = estimate_from_replicates(sums);
+    EXPECT_LT(std::abs(e.mean - exact), 4.0 * e.standard_error);
+    EXPECT_LT(e.standard_error, 1e-3 * exact);
+}
+
 /// A hall of panels and lamps with a wall in it: by luminaire the light is what it is as a
 /// whole, in every replicate.
 TEST(DirectLight, IsTheSumOverItsLuminaires) {
