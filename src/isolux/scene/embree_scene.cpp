@@ -28,19 +28,22 @@ void occluded(RTCScene scene, RTCRay& ray) noexcept { rtcOccluded1(scene, &ray, 
 
 // Sixteen rays at once, or twice eight where the machine has no registers for more.
 
+RTCRayQueryFlags flags_of(RayOrder order) noexcept {
+    return order == RayOrder::bundled ? RTC_RAY_QUERY_FLAG_COHERENT
+                                      : RTC_RAY_QUERY_FLAG_INCOHERENT;
+}
+
 void occluded(const int* valid, RTCScene scene, RTCRay8& rays, RayOrder order) noexcept {
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
-    arguments.flags = order == RayOrder::bundled ? RTC_RAY_QUERY_FLAG_COHERENT
-                                                 : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.flags = flags_of(order);
     rtcOccluded8(valid, scene, &rays, &arguments);
 }
 
 void occluded(const int* valid, RTCScene scene, RTCRay16& rays, RayOrder order) noexcept {
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
-    arguments.flags = order == RayOrder::bundled ? RTC_RAY_QUERY_FLAG_COHERENT
-                                                 : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.flags = flags_of(order);
     rtcOccluded16(valid, scene, &rays, &arguments);
 }
 
@@ -60,6 +63,11 @@ void intersect(const int* valid, RTCScene scene, RTCRayHit16& rays) noexcept {
 
 #else
 
+RTCIntersectContextFlags flags_of(RayOrder order) noexcept {
+    return order == RayOrder::bundled ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                      : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+}
+
 RTCIntersectContext make_context(RTCIntersectContextFlags flags) noexcept {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -78,16 +86,12 @@ void occluded(RTCScene scene, RTCRay& ray) noexcept {
 }
 
 void occluded(const int* valid, RTCScene scene, RTCRay8& rays, RayOrder order) noexcept {
-    auto context =
-        make_context(order == RayOrder::bundled ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    auto context = make_context(flags_of(order));
     rtcOccluded8(valid, scene, &context, &rays);
 }
 
 void occluded(const int* valid, RTCScene scene, RTCRay16& rays, RayOrder order) noexcept {
-    auto context =
-        make_context(order == RayOrder::bundled ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
-                                                : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
+    auto context = make_context(flags_of(order));
     rtcOccluded16(valid, scene, &context, &rays);
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -251,16 +252,33 @@ TEST(OpeningLight, IsKnownCloseToAnOpeningAndAcrossTheHorizon) {
     }
 }
 
+/// A scene with all that its direct light needs.
+struct Lit {
+    explicit Lit(Scene of) : scene(std::move(of)) {}
+
+    Scene scene;
+    Emission emission{scene};
+    MirrorImages images{scene};
+    DirectLight direct{scene, emission, images};
+    Receiver receiver{{0, 0, 0}, UnitVector3::from_unit({0, 0, 1})};
+    std::uint64_t rays = 0;
+    DirectPlan plan = direct.plan(receiver, 0, 1, false, rays);
+
+    /// Adds one unit of all replicates.
+    void add(std::uint32_t unit, const DirectEffort& effort, const LightLedger& ledger) {
+        direct.estimate(receiver, plan, 0, 1, unit, effort, 0, ledger, rays);
+    }
+};
+
 /// METHODS eq. (141): beside a bright panel a dim one behind an edge is looked at once in four
 /// units, later four times as often. It keeps its mean, and its error falls with the units like
 /// that of its looks. Nothing is known of what is visible, so that these have to bring it all.
 TEST(DirectLight, LooksSeldomWhereLittleIsAtStake) {
     constexpr std::uint32_t many = 1024;
-    const Receiver receiver{{0, 0, 0}, UnitVector3::from_unit({0, 0, 1})};
-    const auto panel_to = [&](double x) { // illuminance by the part below it, along x or y
+    const auto panel_to = [](double x) { // illuminance by the part below it, along x or y
         const std::vector<Point3> part{
             {-0.5, -0.5, 2}, {x, -0.5, 2}, {x, 0.5, 2}, {-0.5, 0.5, 2}};
-        return projected_solid_angle(part, receiver.point, receiver.axis);
+        return projected_solid_angle(part, {0, 0, 0}, UnitVector3::from_unit({0, 0, 1}));
     };
     const double share = panel_to(0.25) / panel_to(0.5);
     const double coin =
@@ -273,25 +291,18 @@ TEST(DirectLight, LooksSeldomWhereLittleIsAtStake) {
         b.add_quad(at(0.125, -5, 1), {10, 0, 0}, {0, 10, 0}, b.add_diffuse(0));
         b.add_panel({-0.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}, std::numbers::pi);
         b.add_panel(at(-3.5, -0.5, 2), {0, 1, 0}, {1, 0, 0}, 1e4 * std::numbers::pi);
-        const Scene scene = b.build();
-        const Emission emission(scene);
-        const MirrorImages images(scene);
-        const DirectLight direct(scene, emission, images);
-        std::uint64_t rays = 0;
-        DirectPlan plan = direct.plan(receiver, 0, 1, false, rays);
-        ASSERT_EQ(plan.openings.size(), 1U);
-        plan.openings[0].visible_share = 0.0F;
-        rays = 0;
+        Lit lit(b.build());
+        ASSERT_EQ(lit.plan.openings.size(), 1U);
+        lit.plan.openings[0].visible_share = 0.0F;
+        lit.rays = 0;
         std::vector<double> sums(replicates, 0.0);
         for (std::uint32_t unit = 0; unit < many; ++unit) {
             std::vector<Rgb> values(replicates);
-            const DirectEffort effort{unit < many / 2 ? 1U : 4U, 0.0};
-            direct.estimate(
-                receiver, plan, 0, 1, unit, effort, 0, {values, nullptr, {}, {}}, rays);
+            lit.add(unit, {unit < many / 2 ? 1U : 4U, 0.0}, {values, nullptr, {}, {}});
             for (std::size_t r = 0; r < replicates; ++r)
-                sums[r] += luminance_sum(values[r] - plan.known) / many;
+                sums[r] += luminance_sum(values[r] - lit.plan.known) / many;
         }
-        EXPECT_EQ(rays, many / 2 * replicates / 4U + many / 2 * replicates);
+        EXPECT_EQ(lit.rays, many / 2 * replicates / 4U + many / 2 * replicates);
         const Estimate e = estimate_from_replicates(sums);
         EXPECT_LT(std::abs(e.mean - panel_to(0.25)), 4.0 * e.standard_error);
         EXPECT_LT(e.standard_error, 0.5 * coin);
@@ -310,14 +321,8 @@ TEST(DirectLight, LooksSeldomAtDimImages) {
                b.add_material({"mirror", Opaque{Rgb::grey(0.0), mirror}, Sides::both}));
     b.add_panel({-0.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}, std::numbers::pi);
     b.add_panel({-3.5, -0.5, 2}, {0, 1, 0}, {1, 0, 0}, 1e4 * std::numbers::pi);
-    const Scene scene = b.build();
-    const Emission emission(scene);
-    const MirrorImages images(scene);
-    const DirectLight direct(scene, emission, images);
-    const Receiver receiver{{0, 0, 0}, UnitVector3::from_unit({0, 0, 1})};
-    std::uint64_t rays = 0;
-    const DirectPlan plan = direct.plan(receiver, 0, 1, false, rays);
-    ASSERT_TRUE(plan.openings.empty());
+    Lit lit(b.build());
+    ASSERT_TRUE(lit.plan.openings.empty());
     LedgerLayout layout;
     layout.sources = 2;
     layout.source_of = {0, 1};
@@ -326,8 +331,7 @@ TEST(DirectLight, LooksSeldomAtDimImages) {
     for (std::uint32_t unit = 0; unit < many; ++unit) {
         std::vector<Rgb> values(replicates);
         std::vector<double> by_source(2 * replicates, 0.0);
-        direct.estimate(
-            receiver, plan, 0, 1, unit, {}, 0, {values, &layout, by_source, {}}, rays);
+        lit.add(unit, {}, {values, &layout, by_source, {}});
         for (std::size_t r = 0; r < replicates; ++r) {
             sums[r] += by_source[r] / many;
             without += by_source[r] == 0.0 ? 1 : 0;
@@ -336,7 +340,7 @@ TEST(DirectLight, LooksSeldomAtDimImages) {
     EXPECT_EQ(without, many * replicates * 3 / 4);
     const std::vector<Point3> panel{
         {-0.5, -0.5, 2}, {0.5, -0.5, 2}, {0.5, 0.5, 2}, {-0.5, 0.5, 2}};
-    const double exact = mirror * projected_solid_angle(panel, {4, 0, 0}, receiver.axis);
+    const double exact = mirror * projected_solid_angle(panel, {4, 0, 0}, lit.receiver.axis);
     const Estimate e = estimate_from_replicates(sums);
     EXPECT_LT(std::abs(e.mean - exact), 4.0 * e.standard_error);
     EXPECT_LT(e.standard_error, 1e-3 * exact);
