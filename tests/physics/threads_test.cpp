@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "isolux/base/parallel.h"
+#include "isolux/calc/bench_rooms.h"
 #include "isolux/calc/calculate.h"
 #include "isolux/io/csv.h"
 #include "isolux/io/results_json.h"
@@ -79,22 +80,15 @@ TEST(Threads, OneTwoAndSevenGiveTheSameBytes) {
 TEST(Threads, AnotherSeedGivesOtherBytes) { EXPECT_NE(run(2, 3).csv, run(2, 4).csv); }
 
 TEST(Threads, GiveTheSameBytesWithATreeOfVertices) {
-    const Scene scene = make_room();
-    const std::vector<CalculationSurface> surfaces{make_grid_surface("plane",
-                                                                     Frame{{0.05, 0.05, 0.75}},
-                                                                     Metre(4.9),
-                                                                     Metre(3.9),
-                                                                     {130, 100},
-                                                                     {},
-                                                                     IlluminanceKind::planar,
-                                                                     UnitVector3{})};
+    BenchRoom room = make_empty_bench_room(120, 100, 8, 6);
+    const Scene scene = build_scene(std::move(room.scene));
     std::string one;
     for (const std::size_t threads : {1, 2, 7}) {
         const ThreadLimit limit(threads);
         Settings settings;
         settings.seed = 5;
         settings.fixed_units = 1;
-        const Results results = calculate(scene, surfaces, settings);
+        const Results results = calculate(scene, room.surfaces, settings);
         ASSERT_NE(results.estimator.find("(in a tree)"), std::string::npos)
             << results.estimator;
         const std::string csv = to_csv(results.surfaces[0], results.confidence);

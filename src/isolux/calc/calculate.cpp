@@ -130,13 +130,15 @@ private:
         std::size_t complete = 0;
         while (complete < replicates && !cut_short && !must_stop()) {
             std::vector<RayCounts> own(active.size() * side_by_side);
-            std::vector<VertexCache> caches(side_by_side);
+            caches_.resize(side_by_side);
             if (!settings_.direct_only)
                 for_each_index(side_by_side, 1, [&](std::size_t k) {
                     const auto r = static_cast<std::uint32_t>(complete + k);
-                    VertexCache& cache = caches[k];
+                    VertexCache& cache = caches_[k];
                     if (engine_.needs_paths() || unit == 0)
-                        cache = engine_.build_cache(r, unit);
+                        cache = engine_.build_cache(r, unit, std::move(cache));
+                    else
+                        cache.clear();
                     for_each_index(active.size(), 1, [&](std::size_t a) {
                         if (unit > 0 && (cut_short || must_stop())) {
                             cut_short = true; // only the first unit is worth its end
@@ -157,7 +159,7 @@ private:
             if (cut_short)
                 break;
             for (std::size_t k = 0; k < side_by_side; ++k)
-                count_flux(caches[k], flux[complete + k]);
+                count_flux(caches_[k], flux[complete + k]);
             rays.insert(rays.end(), own.begin(), own.end());
             complete += side_by_side;
             report("calculating",
@@ -403,6 +405,7 @@ private:
     double cpu_start_ = cpu_seconds();
     Engine engine_;
     Accumulator sums_;
+    std::vector<VertexCache> caches_; ///< of replicates that run side by side
     Books books_;
     std::vector<Receiver> receivers_;
     std::vector<ReplicateFlux> flux_;

@@ -1,8 +1,10 @@
 #include "isolux/calc/effort.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "isolux/transport/direct_light.h"
@@ -14,6 +16,10 @@ namespace {
 /// Of the variance that is allowed the first look should find so much used up: half of the
 /// points have more than the mean.
 constexpr double aim = 0.7;
+
+/// The same of a class that shares light paths: the points of a class differ, and the few that
+/// are left over pay for all paths.
+constexpr double class_aim = 0.3;
 
 constexpr std::size_t fewest_samples = 4;
 constexpr std::size_t most_samples = 256;
@@ -115,10 +121,88 @@ best_effort(const SharedTask& task, std::size_t paths, Weighing weighing, Cost&&
 /// less to the gather rays, and fewer corners to walks.
 constexpr double price_of_doubling = 0.15;
 
-double cost_with_units(const Outcome& o) {
-    // not bounded by most_units: what the first look cannot reach, later ones will have to
-    const double doublings = std::ceil(std::log2(std::max(1.0, o.variance / aim)));
-    return std::exp2(doublings) * o.cost * (1.0 + price_of_doubling * doublings);
+/// More doublings of the units than that are no longer told apart.
+constexpr std::size_t most_doublings = 24;
+
+double price_of_units(std::size_t doublings) {
+    const auto d = static_cast<double>(doublings);
+    return std::exp2(d) * (1.0 + price_of_doubling * d);
+}
+
+/// The cheapest way to finish a point of a class in so many doublings of the units, or fewer.
+struct ClassEffort {
+    double cost = std::numeric_limits<double>::max(); ///< of the point alone, ns
+    PointEffort effort;
+    std::size_t doublings = 0;
+};
+
+using ByDoublings = std::array<ClassEffort, most_doublings + 1>;
+
+/// Tries all counts. More units than the first look may take are no bound: what it cannot
+/// reach, later ones will have to.
+ByDoublings
+finish_class(const SharedTask& task, std::size_t c, std::size_t paths, Weighing weighing) {
+    const VarianceModel& model = task.models[c];
+    const double rays = task.share_of_rays(c, paths);
+    const double gathering = task.reach.share(c, paths);
+    ByDoublings best;
+    for (std::size_t draws = fewest_draws; draws <= most_draws; draws *= 2)
+        for (std::size_t directions = 1; directions <= most_directions; directions *= 2)
+            for (std::size_t looks = 1; looks <= most_looks; looks *= 2) {
+                const PointEffort e{draws, directions, looks};
+                const double variance = model.of(paths, e, weighing, rays) + model.of_direct(e);
+                const double cost =
+                    task.costs.own(paths, e, weighing, gathering)
+                    + task.costs.look * model.look_samples * static_cast<double>(looks);
+                const double needed = std::ceil(std::log2(std::max(1.0, variance / class_aim)));
+                const auto doublings = static_cast<std::size_t>(
+                    std::min(needed, static_cast<double>(most_doublings)));
+                const double finished = price_of_units(doublings) * cost;
+                if (finished < best[doublings].cost)
+                    best[doublings] = {finished, e, doublings};
+            }
+    for (std::size_t d = 1; d < best.size(); ++d)
+        if (best[d - 1].cost <= best[d].cost)
+            best[d] = best[d - 1];
+    return best;
+}
+
+/// What it costs to bring every class within what is allowed, and how.
+struct Finishing {
+    double cost = std::numeric_limits<double>::max(); ///< of all points, ns
+    Effort effort;
+    std::size_t units = 1; ///< before the first look
+};
+
+/// A class that needs fewer units than another is closed by then; the light paths are walked
+/// for the longest.
+Finishing finish_all(const SharedTask& task, std::size_t paths, Weighing weighing) {
+    ByClass<ByDoublings> classes;
+    for (std::size_t c = 0; c < point_classes; ++c)
+        classes[c] = finish_class(task, c, paths, weighing);
+    Finishing best;
+    for (std::size_t longest = 0; longest <= most_doublings; ++longest) {
+        double cost =
+            price_of_units(longest) * static_cast<double>(paths) * task.costs.path_by(weighing);
+        for (std::size_t c = 0; c < point_classes; ++c)
+            if (task.points[c] > 0)
+                cost += static_cast<double>(task.points[c]) * classes[c][longest].cost;
+        if (!(cost < best.cost))
+            continue;
+        best.cost = cost;
+        best.effort.paths = paths;
+        best.effort.weighing = weighing;
+        // The first look comes when a quarter of the points should be done.
+        std::size_t done = 0;
+        for (std::size_t c = 0; c < point_classes; ++c)
+            best.effort.at[c] = classes[c][longest].effort;
+        for (std::size_t d = 0; d <= longest && 4 * done < task.all(); ++d) {
+            best.units = std::min(std::size_t{1} << d, most_units);
+            for (std::size_t c = 0; c < point_classes; ++c)
+                done += classes[c][longest].doublings == d ? task.points[c] : 0;
+        }
+    }
+    return best;
 }
 
 /// Numbers of paths to try with a tree; none where there is to be none.
@@ -177,18 +261,22 @@ double VarianceModel::of_direct(const PointEffort& e) const noexcept {
     return direct / (looks * looks);
 }
 
+double UnitCosts::own(std::size_t m,
+                      const PointEffort& e,
+                      Weighing weighing,
+                      double gathering) const noexcept {
+    const double weighed = weighing == Weighing::tree ? cut : static_cast<double>(m) * pair;
+    return weighed + static_cast<double>(e.draws) * draw_by(weighing)
+           + static_cast<double>(e.directions) * direction_of(gathering) + point;
+}
+
 double UnitCosts::of(std::size_t m,
                      const PointEffort& e,
                      std::size_t points,
                      Weighing weighing,
                      double gathering) const noexcept {
     const auto all = static_cast<double>(std::max<std::size_t>(1, points));
-    const auto paths = static_cast<double>(m);
-    const double shared = path_by(weighing) / all;
-    const double weighed =
-        weighing == Weighing::tree ? paths * shared + cut : paths * (shared + pair);
-    return weighed + static_cast<double>(e.draws) * draw_by(weighing)
-           + static_cast<double>(e.directions) * direction_of(gathering) + point;
+    return static_cast<double>(m) * path_by(weighing) / all + own(m, e, weighing, gathering);
 }
 
 std::size_t SharedTask::all() const noexcept {
@@ -230,24 +318,20 @@ UnitCosts make_unit_costs(const Scene& scene,
 bool may_take_tree(std::size_t points) noexcept { return points >= fewest_points_of_a_tree; }
 
 EffortChoice choose_effort(const SharedTask& task) {
-    EffortChoice best;
-    double least = 0.0;
+    Finishing best;
+    double least = std::numeric_limits<double>::max();
     const auto consider = [&](std::size_t m, Weighing weighing, double doubt) {
-        const Effort effort = best_effort(task, m, weighing, cost_with_units);
-        const Outcome o = outcome_of(task, effort);
-        const double cost = doubt * cost_with_units(o);
-        if (least == 0.0 || cost < least) {
-            least = cost;
-            best = {
-                effort,
-                static_cast<std::size_t>(power_of_two_above(o.variance / aim, 1, most_units))};
+        const Finishing f = finish_all(task, m, weighing);
+        if (doubt * f.cost < least) {
+            least = doubt * f.cost;
+            best = f;
         }
     };
     for (std::size_t m = fewest_paths; m <= most_paths; m *= 2)
         consider(m, Weighing::all, 1.0);
     for (const std::size_t m : paths_of_trees(task))
         consider(m, Weighing::tree, 1.0 / (1.0 - least_gain));
-    return best;
+    return {best.effort, best.units};
 }
 
 Effort balance_effort(const SharedTask& task, std::size_t paths, Weighing weighing) {

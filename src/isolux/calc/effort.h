@@ -86,7 +86,7 @@ inline constexpr std::size_t most_paths_of_a_tree = 131072;
 inline constexpr double most_vertices_of_a_tree = 1e6;
 
 inline constexpr std::size_t fewest_draws = 4;
-inline constexpr std::size_t most_draws = 128;
+inline constexpr std::size_t most_draws = 512;
 inline constexpr std::size_t most_directions = 128;
 inline constexpr std::size_t most_units = 256; ///< before the first look
 
@@ -146,8 +146,14 @@ struct UnitCosts {
         return gathering * direction + (1.0 - gathering) * glance;
     }
 
-    /// Of LE-MIS, one unit and one point among `points` that share the M light paths, without
-    /// direct light. @param gathering  share of the points that do
+    /// Of LE-MIS, one unit and one point, beside the M light paths and direct light.
+    /// @param gathering  share of the points that do
+    [[nodiscard]] double own(std::size_t m,
+                             const PointEffort& e,
+                             Weighing weighing = Weighing::all,
+                             double gathering = 1.0) const noexcept;
+
+    /// The same with its share of the M light paths, one point among `points` that share them.
     [[nodiscard]] double of(std::size_t m,
                             const PointEffort& e,
                             std::size_t points,
@@ -185,8 +191,8 @@ struct EffortChoice {
     std::size_t units = 1; ///< before the first look
 };
 
-/// The cheapest effort and number of units, all powers of two, that should bring the points'
-/// mean variance within what is allowed: METHODS "Choosing M, K, N2".
+/// The cheapest effort and number of units, all powers of two, that should bring the mean
+/// variance of every class well within what is allowed: METHODS "Choosing M, K, N2".
 [[nodiscard]] EffortChoice choose_effort(const SharedTask& task);
 
 /// The most efficient numbers of draws, directions and looks beside so many paths.

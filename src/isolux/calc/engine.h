@@ -60,7 +60,9 @@ public:
     }
 
     /// Light paths of one replicate and unit, ready for the points.
-    [[nodiscard]] VertexCache build_cache(std::uint32_t replicate, std::uint32_t unit) const;
+    /// @param used  whose memory is taken over
+    [[nodiscard]] VertexCache
+    build_cache(std::uint32_t replicate, std::uint32_t unit, VertexCache used = {}) const;
 
     /// Indirect illuminance of receivers [first, first + result.size()), lx. Adds to the books.
     /// @param open  which of them are wanted; empty: all
@@ -134,6 +136,7 @@ private:
     void try_out(std::span<const OpenPoint> points,
                  std::span<const std::size_t> which,
                  double worth);
+    [[nodiscard]] ByClass<double> needed_growth(std::span<const OpenPoint> open) const;
     [[nodiscard]] double own_cost(std::size_t receiver) const noexcept;
     [[nodiscard]] std::size_t rounds_of(std::size_t receiver) const noexcept;
     void choose_estimators();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "isolux/calc/engine.h"
 
@@ -29,6 +30,9 @@ constexpr double most_samples = 1U << 14U;
 /// who stops in between loses no more.
 constexpr double longest_unit = 4.0;
 
+/// No bound at all.
+constexpr double most_growth = 1e6;
+
 /// A power of two, or a multiple of `round`: blocks of whole nets.
 std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
     const auto wanted =
@@ -37,6 +41,19 @@ std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
 }
 
 } // namespace
+
+/// How many times as much as so far would finish most points of a class in one more unit.
+ByClass<double> Engine::needed_growth(std::span<const OpenPoint> open) const {
+    ByClass<std::vector<double>> units;
+    for (const OpenPoint& p : open)
+        if (p.refines_indirect && takes_paths(estimators_[p.receiver]))
+            units[static_cast<std::size_t>(classes_[p.receiver])].push_back(
+                p.current.units > 0 ? units_missing(p.current) : most_growth);
+    ByClass<double> growth{};
+    for (std::size_t c = 0; c < point_classes; ++c)
+        growth[c] = growth_for(std::move(units[c]));
+    return growth;
+}
 
 NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     const NextLook next = change_estimators(open, units);
@@ -49,12 +66,20 @@ NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     needs_paths_ = !settings_.direct_only && task.all() > 0;
     if (!needs_paths_)
         return next;
-    // More for each of few points; never less, so that no number is drawn twice.
+    // More for each of few points, if they need it; never less, so that no number is drawn
+    // twice.
     const Effort balanced = balance_effort(task, effort_.paths, effort_.weighing);
+    const ByClass<double> needed = needed_growth(open);
     for (std::size_t c = 0; c < point_classes; ++c) {
         PointEffort& e = effort_.at[c];
-        e.draws = std::max(e.draws, balanced.at[c].draws);
-        e.directions = std::max(e.directions, balanced.at[c].directions);
+        const auto grown = [&](std::size_t now, std::size_t most) {
+            const double enough =
+                std::ceil(std::min(needed[c] * static_cast<double>(now), most_growth));
+            return std::max(now,
+                            std::min(most, std::bit_ceil(static_cast<std::size_t>(enough))));
+        };
+        e.draws = grown(e.draws, balanced.at[c].draws);
+        e.directions = grown(e.directions, balanced.at[c].directions);
         e.looks = std::max(e.looks, balanced.at[c].looks);
     }
     return next;
@@ -83,7 +108,7 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
         const Advance& shared = traces ? p.parked : p.current;
         const Advance& traced = traces ? p.current : p.parked;
         Finish f;
-        f.units = shared.units > 0 ? static_cast<double>(shared.units) * share_missing(shared)
+        f.units = shared.units > 0 ? units_missing(shared)
                                    : static_cast<double>(units); // as much as all have had
         f.unit_cost = runs * own_cost(i);
         if (traced.units > 0)
@@ -148,12 +173,8 @@ NextLook Engine::change_estimators(std::span<const OpenPoint> open, std::size_t 
 
 /// Of one unit of LE-MIS at one receiver in one replicate, without the light paths, ns.
 double Engine::own_cost(std::size_t receiver) const noexcept {
-    return costs_.of(effort_.paths,
-                     effort_of(receiver),
-                     1,
-                     effort_.weighing,
-                     gathers(receiver) ? 1.0 : 0.0)
-           - static_cast<double>(effort_.paths) * costs_.path_by(effort_.weighing);
+    return costs_.own(
+        effort_.paths, effort_of(receiver), effort_.weighing, gathers(receiver) ? 1.0 : 0.0);
 }
 
 /// Traces a few paths from points to learn what they vary by. Nothing where `worth`, ns, does

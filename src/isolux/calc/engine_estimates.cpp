@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "isolux/calc/engine.h"
 #include "isolux/transport/local_estimator.h"
@@ -24,7 +25,8 @@ double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
 
 } // namespace
 
-VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) const {
+VertexCache
+Engine::build_cache(std::uint32_t replicate, std::uint32_t unit, VertexCache used) const {
     return build_vertex_cache(*scene_,
                               emission_,
                               PathRandomness(settings_.seed, replicate),
@@ -33,7 +35,8 @@ VertexCache Engine::build_cache(std::uint32_t replicate, std::uint32_t unit) con
                               counts_,
                               pilot_.importance,
                               {},
-                              effort_.weighing);
+                              effort_.weighing,
+                              std::move(used));
 }
 
 void Engine::estimate_local(const VertexCache& cache,

@@ -11,6 +11,19 @@ double share_missing(const Advance& a) noexcept {
     return std::max(least, doubt * (a.excess - 1.0));
 }
 
+double units_missing(const Advance& a) noexcept {
+    return static_cast<double>(a.units) * share_missing(a);
+}
+
+double growth_for(std::vector<double> units) {
+    constexpr double to_be_sure = 2.0;
+    if (units.empty())
+        return 1.0;
+    const auto most = units.begin() + static_cast<std::ptrdiff_t>(units.size() * 4 / 5);
+    std::nth_element(units.begin(), most, units.end());
+    return std::max(1.0, to_be_sure * *most);
+}
+
 std::vector<std::size_t> choose_traced(std::span<const Finish> points, double paths_cost) {
     // Who needs most units leaves first: the paths are walked for the longest of those who
     // stay. Whoever is cheaper to trace anyway leaves with them.

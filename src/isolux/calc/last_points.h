@@ -39,6 +39,13 @@ struct NextLook {
 /// What an estimator still needs over what it has had: METHODS eq. (124).
 [[nodiscard]] double share_missing(const Advance& a) noexcept;
 
+/// The same in units.
+[[nodiscard]] double units_missing(const Advance& a) noexcept;
+
+/// How many times as much in every unit would finish most points in a single one, at least 1.
+/// @param units  that they need as it is
+[[nodiscard]] double growth_for(std::vector<double> units);
+
 /// Which points path tracing finishes for less: the light paths of LE-MIS cost the same however
 /// few points are left to share them. METHODS eq. (124).
 ///

@@ -19,6 +19,10 @@ constexpr std::size_t paths = pilot_paths;
 constexpr std::size_t draws = 8;      ///< twice
 constexpr std::size_t directions = 1; ///< twice
 constexpr std::size_t traced_samples = 2;
+
+/// Paths are shared as if a point sent so many gather rays beside the pilot's paths, as runs do
+/// where it matters: what light paths bring near surfaces varies the less the more there are.
+constexpr double usual_rays = 4.0;
 constexpr std::size_t tile = 16;
 constexpr std::uint32_t first_trial = 1U << 16U; ///< number of the first sample of a trial
 
@@ -267,7 +271,8 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
     pilot.vertices_per_path = std::max(0.01, static_cast<double>(first.size()) / m);
     pilot.chain_length = first.picks.empty() ? pilot.vertices_per_path
                                              : static_cast<double>(first.picks.size()) / m;
-    const EffectiveCounts counts{m, m * pilot.chain_length, 1.0, 1.0, task.corner};
+    const EffectiveCounts counts{
+        m, m * pilot.chain_length, usual_rays, usual_rays, task.corner};
     std::vector<VertexCache> caches(replicates);
     for_each_index(replicates, 1, [&](std::size_t r) {
         caches[r] = build(static_cast<std::uint32_t>(r), counts);

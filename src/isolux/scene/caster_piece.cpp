@@ -99,7 +99,7 @@ bool continues(const Piece& p, const Piece& q) noexcept {
            && std::abs(dot(q.normal, p.a - q.a)) <= 0.35 * length(q.a - p.a) + 1e-9 * size;
 }
 
-PaneBox::PaneBox(const std::vector<Piece>& panes) {
+PaneBox::PaneBox(std::span<const Piece> panes) {
     constexpr double slack = 1e-3; // m; far above what a float loses in a room
     constexpr double float_step = 1e-5;
     for (const Piece& piece : panes)

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "isolux/base/ids.h"
@@ -10,6 +12,11 @@
 #include "isolux/scene/ray_caster.h"
 
 namespace isolux {
+
+/// The float-safe step off a surface at `p`, in metres, METHODS eq. (43).
+[[nodiscard]] inline double float_offset(const Vector3& p) noexcept {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) * 0x1p-20 + 1e-5;
+}
 
 /// A triangle in double precision, relative to the caster's centre.
 struct Piece {
@@ -48,7 +55,8 @@ struct PaneBox {
     Vector3 lower{1e30, 1e30, 1e30};
     Vector3 upper{-1e30, -1e30, -1e30};
 
-    explicit PaneBox(const std::vector<Piece>& panes);
+    PaneBox() = default;
+    explicit PaneBox(std::span<const Piece> panes);
 
     /// False is certain: the box about the segment and this one have nothing in common.
     [[nodiscard]] bool may_meet(const Vector3& p, const Vector3& q) const noexcept {

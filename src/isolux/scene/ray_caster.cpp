@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 #include "isolux/base/check.h"
+#include "isolux/scene/blockers.h"
 #include "isolux/scene/caster_piece.h"
 #include "isolux/scene/embree_scene.h"
-#include "isolux/scene/material.h"
+#include "isolux/scene/outer_planes.h"
 
 namespace isolux {
 namespace {
@@ -29,19 +30,8 @@ Point3 middle_of(std::span<const CasterTriangle> triangles) {
     return midpoint(lower, upper);
 }
 
-/// Nothing without triangles: then there is nothing to ask, either.
-std::optional<EmbreeScene> build(const std::vector<Piece>& pieces) {
-    if (pieces.empty())
-        return std::nullopt;
-    std::vector<Vector3> corners;
-    corners.reserve(3 * pieces.size());
-    for (const Piece& p : pieces)
-        corners.insert(corners.end(), {p.a, p.a + p.ab, p.a + p.ac});
-    return EmbreeScene(corners);
-}
-
 /// The ends of METHODS "Ray tracer", eq. (43), for a packet of segments: like
-/// Implementation::end_of, but in the ray tracer's own precision and four at a time.
+/// end_of(), but in the ray tracer's own precision and four at a time.
 void find_ends(RayPacket& p) noexcept {
     const auto larger = [](float a, float b) { return a < b ? b : a; };
     for (std::size_t i = 0; i < RayPacket::width; ++i) {
@@ -71,19 +61,14 @@ struct RayCaster::Implementation {
     Point3 centre;
     std::vector<Piece> opaque;
     std::vector<Piece> panes;
-    PaneBox pane_box{{}};
     std::vector<std::vector<std::uint32_t>> twins; ///< of opaque pieces
-    std::optional<EmbreeScene> opaque_scene;       ///< none without triangles
-    std::optional<EmbreeScene> pane_scene;
+    std::optional<Blockers> all;
+    OuterPlanes outer;
+    std::optional<Blockers> inner; ///< without what lies in the outer planes, if anything does
 
-    /// The float-safe step off a surface, methods 8: 1e-5 m plus a few float steps at `p`.
-    [[nodiscard]] static double offset_at(const Vector3& p) noexcept {
-        return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) * 0x1p-20 + 1e-5;
-    }
-
-    /// The segment's last parameter that counts: all but the last 1e-5 and two offsets.
-    [[nodiscard]] static double end_of(const Vector3& to, double length_of_segment) noexcept {
-        return 1.0 - 1e-5 - 2.0 * offset_at(to) / length_of_segment;
+    /// What can stand between two points that the outer planes enclose, or not.
+    [[nodiscard]] const Blockers& between(bool is_inside) const noexcept {
+        return inner && is_inside ? *inner : *all;
     }
 
     [[nodiscard]] std::uint32_t
@@ -91,7 +76,7 @@ struct RayCaster::Implementation {
         if (!opaque[hit].is_shell || dot(opaque[hit].normal, direction) <= 0.0)
             return hit;
         for (const std::uint32_t twin : twins[hit])
-            if (is_on(opaque[twin], at, 4.0 * offset_at(at)))
+            if (is_on(opaque[twin], at, 4.0 * float_offset(at)))
                 return twin;
         return hit;
     }
@@ -113,102 +98,31 @@ struct RayCaster::Implementation {
                 is_front ? piece->normal : -piece->normal,
                 is_front};
     }
-
-    [[nodiscard]] double
-    dim(std::uint32_t pane, const Vector3& way, double distance) const noexcept;
-    [[nodiscard]] double pass_panes(const Vector3& from, const Vector3& to) const noexcept;
-    /// Those of some segments that panes may dim.
-    [[nodiscard]] std::uint32_t near_panes(std::span<const SightSegment> segments,
-                                           std::uint32_t wanted) const noexcept;
-    void pass_panes16(std::span<const SightSegment> segments,
-                      RayPacket& rays,
-                      std::uint32_t wanted,
-                      std::span<float> result) const noexcept;
 };
 
 RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triangles)
     : centre(middle_of(triangles)) {
     Vector3 reach;
+    std::vector<Piece> pieces;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        const Piece piece = make_piece(triangles[i], TriangleId(i), centre);
-        (triangles[i].is_pane ? panes : opaque).push_back(piece);
+        pieces.push_back(make_piece(triangles[i], TriangleId(i), centre));
+        (triangles[i].is_pane ? panes : opaque).push_back(pieces.back());
         for (const auto& p : triangles[i].corner) {
             const Vector3 v = p - centre;
             reach = {std::max(reach.x, v.x), std::max(reach.y, v.y), std::max(reach.z, v.z)};
         }
     }
-    twins = find_twins(opaque, 4.0 * offset_at(reach));
-    opaque_scene = build(opaque);
-    pane_scene = build(panes);
-    pane_box = PaneBox(panes);
-}
-
-/// Transmittance of a pane that a segment crosses.
-double RayCaster::Implementation::dim(std::uint32_t pane,
-                                      const Vector3& way,
-                                      double distance) const noexcept {
-    const double cos_theta = std::abs(dot(panes[pane].normal, way)) / distance;
-    return evaluate_slab(panes[pane].pane, cos_theta).transmittance;
-}
-
-/// Walks from pane to pane. Panes closer together than two offsets count as one, so that the
-/// seam between the two triangles of a pane does not dim the light twice.
-double RayCaster::Implementation::pass_panes(const Vector3& from,
-                                             const Vector3& to) const noexcept {
-    const Vector3 way = to - from;
-    const double distance = length(way);
-    const double far = end_of(to, distance);
-    const double step = 2.0 * std::max(offset_at(from), offset_at(to)) / distance;
-    double passed = 1.0;
-    for (double near = 0.0; near < far && passed > 0.0;) {
-        const auto hit = pane_scene->find_first_hit({from, way, near, far});
-        if (!hit)
-            break;
-        passed *= dim(hit->triangle, way, distance);
-        near = hit->t + step;
-    }
-    return passed;
-}
-
-std::uint32_t RayCaster::Implementation::near_panes(std::span<const SightSegment> segments,
-                                                    std::uint32_t wanted) const noexcept {
-    std::uint32_t near = 0;
-    for (std::uint32_t rest = pane_scene ? wanted : 0U; rest != 0; rest &= rest - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        if (pane_box.may_meet(segments[i].a - centre, segments[i].b - centre))
-            near |= 1U << i;
-    }
-    return near;
-}
-
-/// The same for a packet: rays go on from pane to pane together until none meets another.
-void RayCaster::Implementation::pass_panes16(std::span<const SightSegment> segments,
-                                             RayPacket& rays,
-                                             std::uint32_t wanted,
-                                             std::span<float> result) const noexcept {
-    std::array<double, packet_size> passed{};
-    passed.fill(1.0);
-    PacketHits hits;
-    for (std::uint32_t going = wanted; going != 0;) {
-        going = pane_scene->find_first_hits(rays, going, hits);
-        for (std::uint32_t rest = going; rest != 0; rest &= rest - 1) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-            const Vector3 from = segments[i].a - centre;
-            const Vector3 to = segments[i].b - centre;
-            const Vector3 way = to - from;
-            const double distance = length(way);
-            const double step = 2.0 * std::max(offset_at(from), offset_at(to)) / distance;
-            passed[i] *= dim(hits.triangle[i], way, distance);
-            const double near = static_cast<double>(hits.t[i]) + step;
-            rays.near[i] = static_cast<float>(near);
-            if (!(near < end_of(to, distance)) || passed[i] <= 0.0)
-                going &= ~(1U << i);
-        }
-    }
-    for (std::uint32_t rest = wanted; rest != 0; rest &= rest - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-        result[i] = static_cast<float>(passed[i]);
-    }
+    outer = OuterPlanes(pieces);
+    // Those inside first: a pane has one number in both trees.
+    const auto is_inner = [this](const Piece& p) { return !outer.hold(p); };
+    const auto inner_panes =
+        std::span(panes.begin(), std::stable_partition(panes.begin(), panes.end(), is_inner));
+    twins = find_twins(opaque, 4.0 * float_offset(reach));
+    all.emplace(opaque, panes);
+    std::vector<Piece> inner_opaque;
+    std::copy_if(opaque.begin(), opaque.end(), std::back_inserter(inner_opaque), is_inner);
+    if (!outer.empty())
+        inner.emplace(inner_opaque, inner_panes);
 }
 
 RayCaster::RayCaster(std::span<const CasterTriangle> triangles)
@@ -224,12 +138,13 @@ std::optional<SurfaceHit> RayCaster::find_first_hit(const Point3& origin,
     const auto& self = *implementation_;
     const Vector3 from = origin - self.centre;
     TracedRay ray{from, direction, 0.0, max_distance};
-    const auto wall = self.opaque_scene ? self.opaque_scene->find_first_hit(ray) : std::nullopt;
+    const auto wall =
+        self.all->opaque() ? self.all->opaque()->find_first_hit(ray) : std::nullopt;
     if (wall)
         ray.far = wall->t;
     const bool may_see_pane =
-        self.pane_scene && self.pane_box.may_meet(from, from + ray.far * Vector3(direction));
-    auto pane = may_see_pane ? self.pane_scene->find_first_hit(ray) : std::nullopt;
+        self.all->may_meet_pane(from, from + ray.far * Vector3(direction));
+    auto pane = may_see_pane ? self.all->panes()->find_first_hit(ray) : std::nullopt;
     if (pane && wall && pane->t >= wall->t)
         pane.reset();
     if (!pane && !wall)
@@ -248,17 +163,17 @@ void RayCaster::find_first_hits16(std::span<const SightLine> lines,
     PacketHits walls;
     PacketHits panes;
     const std::uint32_t at_walls =
-        self.opaque_scene ? self.opaque_scene->find_first_hits(packet, wanted, walls) : 0U;
+        self.all->opaque() ? self.all->opaque()->find_first_hits(packet, wanted, walls) : 0U;
     std::uint32_t at_panes = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if ((at_walls >> i & 1U) != 0)
             packet.far[i] = walls.t[i];
         const Vector3 from = lines[i].eye - self.centre;
         const Vector3 end = from + static_cast<double>(packet.far[i]) * lines[i].direction;
-        at_panes |= self.pane_box.may_meet(from, end) ? 1U << i : 0U;
+        at_panes |= self.all->may_meet_pane(from, end) ? 1U << i : 0U;
     }
     if (at_panes != 0)
-        at_panes = self.pane_scene->find_first_hits(packet, at_panes, panes);
+        at_panes = self.all->panes()->find_first_hits(packet, at_panes, panes);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const bool is_wall = (at_walls >> i & 1U) != 0;
         const bool is_pane =
@@ -273,7 +188,7 @@ void RayCaster::find_first_hits16(std::span<const SightLine> lines,
 }
 
 Point3 RayCaster::offset_point(const Point3& p, const UnitVector3& free_side) const noexcept {
-    const double step = Implementation::offset_at(p - implementation_->centre);
+    const double step = float_offset(p - implementation_->centre);
     return p + step * Vector3(free_side);
 }
 
@@ -285,13 +200,7 @@ double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept
     const auto& self = *implementation_;
     const Vector3 from = a - self.centre;
     const Vector3 to = b - self.centre;
-    const Vector3 way = to - from;
-    const double far = Implementation::end_of(to, length(way));
-    if (!(far > 0.0))
-        return 1.0; // too short for anything to stand between
-    if (self.opaque_scene && self.opaque_scene->is_occluded({from, way, 0.0, far}))
-        return 0.0;
-    return self.pane_box.may_meet(from, to) ? self.pass_panes(from, to) : 1.0;
+    return self.between(self.outer.enclose(from, to)).transmittance(from, to);
 }
 
 void RayCaster::transmittance16(std::span<const SightSegment> segments,
@@ -314,12 +223,8 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
     wanted &= lanes_with_room(packet); // the others are too short for anything to be between
     if (wanted == 0)
         return;
-    const std::uint32_t occluded =
-        self.opaque_scene ? self.opaque_scene->find_occluded(packet, wanted, order) : 0U;
-    for (std::uint32_t rest = occluded; rest != 0; rest &= rest - 1)
-        result[static_cast<std::size_t>(std::countr_zero(rest))] = 0.0F;
-    if (const std::uint32_t open = self.near_panes(segments, wanted & ~occluded); open != 0)
-        self.pass_panes16(segments, packet, open, result);
+    self.between(self.outer.enclose(packet, wanted))
+        .transmittance16(segments, self.centre, packet, wanted, result, order);
 }
 
 bool RayCaster::has_panes() const noexcept { return !implementation_->panes.empty(); }
@@ -346,8 +251,8 @@ SurfaceDistances RayCaster::find_nearest_surfaces(const Point3& p,
         }
         return radius;
     };
-    if (self.opaque_scene)
-        self.opaque_scene->visit_near(at, radius, visit);
+    if (self.all->opaque())
+        self.all->opaque()->visit_near(at, radius, visit);
     if (nearest != nullptr)
         distances.nearest_normal = nearest->normal;
     return distances;
@@ -368,7 +273,7 @@ double RayCaster::find_nearest_ahead(const Point3& p,
         return highest > in_the_plane;
     };
     // The ray tracer's floats may cut the sphere a little short.
-    const double spare = 1e-4 + 4.0 * Implementation::offset_at(at);
+    const double spare = 1e-4 + 4.0 * float_offset(at);
     double nearest = radius;
     const auto visit = [&](std::uint32_t triangle) {
         const Piece& piece = self.opaque[triangle];
@@ -376,8 +281,8 @@ double RayCaster::find_nearest_ahead(const Point3& p,
             nearest = std::min(nearest, distance_to(piece, at));
         return std::min(radius, nearest + spare);
     };
-    if (self.opaque_scene)
-        self.opaque_scene->visit_near(at, radius, visit);
+    if (self.all->opaque())
+        self.all->opaque()->visit_near(at, radius, visit);
     return nearest;
 }
 

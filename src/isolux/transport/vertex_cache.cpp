@@ -25,18 +25,20 @@ constexpr std::size_t most_kept = 1024;
 constexpr std::uint64_t pick_path = 1ULL << 63U;
 
 /// Numbers of the vertices by cell, by counting; those of one cell stay in path order.
-std::vector<std::uint32_t> sort_by_cell(const std::vector<PathVertex>& vertices,
-                                        const Bounds& bounds) {
+/// @return  valid until the thread sorts again
+std::span<const std::uint32_t> sort_by_cell(const std::vector<PathVertex>& vertices,
+                                            const Bounds& bounds) {
+    thread_local std::vector<std::uint32_t> keys, starts, sorted;
     const CellOrder order(bounds);
-    std::vector<std::uint32_t> keys(vertices.size());
-    std::vector<std::uint32_t> starts(CellOrder::keys + 1, 0);
+    keys.resize(vertices.size());
+    starts.assign(CellOrder::keys + 1, 0);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         keys[i] = order.key(vertices[i].position, vertices[i].normal);
         ++starts[keys[i] + 1];
     }
     for (std::size_t k = 0; k < CellOrder::keys; ++k)
         starts[k + 1] += starts[k];
-    std::vector<std::uint32_t> sorted(vertices.size());
+    sorted.resize(vertices.size());
     for (std::size_t i = 0; i < vertices.size(); ++i)
         sorted[starts[keys[i]]++] = static_cast<std::uint32_t>(i);
     return sorted;
@@ -124,7 +126,7 @@ void pack_for_tree(VertexCache& cache, const Bounds& bounds, const EffectiveCoun
 
 /// Fills the blocks, each column by column, so that the running sum follows the sorted order.
 void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& counts) {
-    const std::vector<std::uint32_t> sorted = sort_by_cell(cache.vertices, bounds);
+    const std::span<const std::uint32_t> sorted = sort_by_cell(cache.vertices, bounds);
     const std::size_t n = sorted.size();
     cache.blocks.resize((n + VertexBlock::size - 1) / VertexBlock::size);
     cache.vertex_at.assign(cache.blocks.size() * VertexBlock::size, 0);
@@ -178,6 +180,21 @@ VertexRecord record_of(const VertexCache& cache, std::size_t vertex) noexcept {
 
 } // namespace
 
+void VertexCache::clear() noexcept {
+    VertexCache fresh;
+    const auto keep = [](auto& empty, auto& memory) {
+        memory.clear();
+        empty = std::move(memory);
+    };
+    keep(fresh.vertices, vertices);
+    keep(fresh.blocks, blocks);
+    keep(fresh.vertex_at, vertex_at);
+    keep(fresh.records, records);
+    keep(fresh.picks, picks);
+    keep(fresh.close, close);
+    *this = std::move(fresh);
+}
+
 VertexCache build_vertex_cache(const Scene& scene,
                                const Emission& emission,
                                const PathRandomness& random,
@@ -186,8 +203,10 @@ VertexCache build_vertex_cache(const Scene& scene,
                                const EffectiveCounts& counts,
                                const PathImportance& importance,
                                const Roulette& roulette,
-                               Weighing weighing) {
-    VertexCache cache;
+                               Weighing weighing,
+                               VertexCache used) {
+    VertexCache cache = std::move(used);
+    cache.clear();
     cache.paths = count;
     cache.corner = counts.corner;
     cache.centre = midpoint(scene.bounds.lower, scene.bounds.upper);

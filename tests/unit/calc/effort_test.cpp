@@ -36,7 +36,7 @@ double cost_of(const EffortChoice& c, std::size_t points) {
 TEST(Effort, ReachesWhatIsAllowed) {
     const VarianceModel model{.paths = 3000.0, .draws = 20.0, .directions = 2.0, .direct = 0.5};
     const EffortChoice c = choose_effort(open_task(model, 300));
-    EXPECT_LE(variance_of(model, c.effort) / static_cast<double>(c.units), 0.7);
+    EXPECT_LE(variance_of(model, c.effort) / static_cast<double>(c.units), 0.3);
 }
 
 TEST(Effort, StaysWithinItsBoundsAndPowersOfTwo) {
@@ -91,6 +91,35 @@ TEST(Effort, IsMoreWhereTheNoiseIs) {
     EXPECT_GT(c.effort.at[2].looks, c.effort.at[0].looks);
 }
 
+TEST(Effort, FinishesEveryClassByItself) {
+    // Two classes of a large task, the second far noisier: each is brought within what is
+    // allowed, and the calm one does no more than it would without the other.
+    const VarianceModel calm{.paths = 10.0, .draws = 0.5, .directions = 0.1};
+    VarianceModel noisy = calm;
+    noisy.directions = 20.0;
+    const EffortChoice alone = choose_effort(open_task(calm, 20000));
+    const EffortChoice both =
+        choose_effort({{20000, 0, 0, 1500}, {calm, {}, {}, noisy}, costs, {}});
+    EXPECT_EQ(both.effort.at[0].draws, alone.effort.at[0].draws);
+    EXPECT_EQ(both.effort.at[0].directions, alone.effort.at[0].directions);
+    EXPECT_EQ(both.units, 1U);
+    EXPECT_LE(calm.of(both.effort.paths, both.effort.at[0]), 0.3);
+    EXPECT_LE(noisy.of(both.effort.paths, both.effort.at[3]), 0.3);
+}
+
+TEST(Effort, LooksForTheFirstTimeWhenAQuarterOfThePointsShouldBeDone) {
+    // so noisy that the second class needs many units however much it draws
+    const VarianceModel calm{.paths = 10.0, .draws = 0.5, .directions = 0.1};
+    const VarianceModel far{.paths = 1e6, .draws = 1e4, .directions = 1e4};
+    const auto units = [&](std::size_t of_calm, std::size_t of_far) {
+        return choose_effort({{of_calm, 0, of_far, 0}, {calm, {}, far, {}}, costs, {}}).units;
+    };
+    EXPECT_EQ(units(100, 100), 1U);
+    EXPECT_EQ(units(100, 290), 1U);
+    EXPECT_GT(units(100, 310), 1U);
+    EXPECT_GT(units(0, 100), 1U);
+}
+
 TEST(Effort, WalksMorePathsWhereMorePointsShareThem) {
     const VarianceModel model{.paths = 2000.0, .draws = 10.0, .directions = 1.0};
     const EffortChoice few = choose_effort(open_task(model, 10));
@@ -104,7 +133,7 @@ TEST(Effort, CostsNoMoreThanItsNeighbours) {
     for (const std::size_t factor : {1U, 4U}) {
         EffortChoice other = best;
         other.effort.paths = other.effort.paths * factor / 2;
-        while (variance_of(model, other.effort) / static_cast<double>(other.units) > 0.7)
+        while (variance_of(model, other.effort) / static_cast<double>(other.units) > 0.3)
             other.units *= 2;
         EXPECT_GE(cost_of(other, 300), cost_of(best, 300));
     }

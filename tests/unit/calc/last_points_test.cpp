@@ -63,6 +63,15 @@ TEST(LastPoints, NeedMoreTheFartherTheyAre) {
     EXPECT_DOUBLE_EQ(share_missing({4, 0.2}), 0.25);
 }
 
+TEST(LastPoints, GrowNoMoreThanMostOfThemNeed) {
+    EXPECT_DOUBLE_EQ(units_missing({4, 3.0}), 10.4);
+    EXPECT_EQ(growth_for({}), 1.0);
+    EXPECT_EQ(growth_for({0.25, 0.25, 0.25}), 1.0);
+    // twice what four fifths of them need; one that needs very much does not count
+    EXPECT_EQ(growth_for({0.5, 3.0, 1.0, 0.25, 2.0, 1.5, 0.25, 1.0, 900.0, 0.5}), 6.0);
+    EXPECT_EQ(growth_for({7.0}), 14.0);
+}
+
 class TwoPoints : public testing::Test {
 protected:
     TwoPoints() {
