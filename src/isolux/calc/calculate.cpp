@@ -84,6 +84,7 @@ public:
             expected_ = work_done_ + open.size() * next.units;
             report("calculating");
         }
+        caches_ = {};
         return collect(done);
     }
 
@@ -138,7 +139,7 @@ private:
                     if (engine_.needs_paths() || unit == 0)
                         cache = engine_.build_cache(r, unit, std::move(cache));
                     else
-                        cache.clear();
+                        cache = {};
                     for_each_index(active.size(), 1, [&](std::size_t a) {
                         if (unit > 0 && (cut_short || must_stop())) {
                             cut_short = true; // only the first unit is worth its end

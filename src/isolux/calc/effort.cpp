@@ -13,21 +13,16 @@ namespace isolux {
 
 namespace {
 
-/// Of the variance that is allowed the first look should find so much used up: half of the
-/// points have more than the mean.
+/// Of the variance that is allowed the first look at traced points should find so much used up:
+/// half of the points have more than the mean.
 constexpr double aim = 0.7;
 
-/// The same of a class that shares light paths: the points of a class differ, and the few that
-/// are left over pay for all paths.
+/// A class that shares light paths is finished when it has so much: its points differ, and the
+/// few that are left over pay for all paths.
 constexpr double class_aim = 0.3;
 
 constexpr std::size_t fewest_samples = 4;
 constexpr std::size_t most_samples = 256;
-
-double power_of_two_above(double x, std::size_t least, std::size_t most) {
-    const double bounded = std::clamp(x, static_cast<double>(least), static_cast<double>(most));
-    return static_cast<double>(std::bit_ceil(static_cast<std::size_t>(std::ceil(bounded))));
-}
 
 constexpr std::size_t most_looks = DirectLight::most_looks;
 
@@ -81,48 +76,12 @@ Outcome outcome_of(const SharedTask& task, const Effort& effort) {
     return sum;
 }
 
-/// Where variance has a price, every class chooses for itself; all prices are tried.
-template <class Cost>
-Effort
-best_effort(const SharedTask& task, std::size_t paths, Weighing weighing, Cost&& total_cost) {
-    Effort best;
-    double least = 0.0;
-    for (int exponent = -40; exponent <= 40; ++exponent) {
-        const double price = std::exp2(0.5 * exponent); // of a nanosecond, in variance
-        Effort effort;
-        effort.paths = paths;
-        effort.weighing = weighing;
-        for (std::size_t c = 0; c < point_classes; ++c) {
-            const double direction = task.costs.direction_of(task.reach.share(c, paths));
-            effort.at[c] = {best_count(task.models[c].draws_by(weighing),
-                                       price * task.costs.draw_by(weighing),
-                                       fewest_draws,
-                                       most_draws),
-                            best_count(task.models[c].directions * task.share_of_rays(c, paths),
-                                       price * direction,
-                                       1,
-                                       most_directions),
-                            best_count(task.models[c].direct,
-                                       price * task.costs.look * task.models[c].look_samples,
-                                       1,
-                                       most_looks,
-                                       2.0)};
-        }
-        const double cost = total_cost(outcome_of(task, effort));
-        if (least == 0.0 || cost < least) {
-            least = cost;
-            best = effort;
-        }
-    }
-    return best;
-}
-
 /// Many small units are worse than the model says: with more paths in each the weights leave
 /// less to the gather rays, and fewer corners to walks.
 constexpr double price_of_doubling = 0.15;
 
-/// More doublings of the units than that are no longer told apart.
-constexpr std::size_t most_doublings = 24;
+/// More doublings of the units than that are never needed.
+constexpr std::size_t most_doublings = 60;
 
 double price_of_units(std::size_t doublings) {
     const auto d = static_cast<double>(doublings);
@@ -195,7 +154,8 @@ Finishing finish_all(const SharedTask& task, std::size_t paths, Weighing weighin
         // The first look comes when a quarter of the points should be done.
         std::size_t done = 0;
         for (std::size_t c = 0; c < point_classes; ++c)
-            best.effort.at[c] = classes[c][longest].effort;
+            if (task.points[c] > 0)
+                best.effort.at[c] = classes[c][longest].effort;
         for (std::size_t d = 0; d <= longest && 4 * done < task.all(); ++d) {
             best.units = std::min(std::size_t{1} << d, most_units);
             for (std::size_t c = 0; c < point_classes; ++c)
@@ -331,11 +291,46 @@ EffortChoice choose_effort(const SharedTask& task) {
         consider(m, Weighing::all, 1.0);
     for (const std::size_t m : paths_of_trees(task))
         consider(m, Weighing::tree, 1.0 / (1.0 - least_gain));
+    // Who takes no paths, traced points say, looks at the luminaires as is worth it beside
+    // them.
+    const Effort balanced = balance_effort(task, best.effort.paths, best.effort.weighing);
+    for (std::size_t c = 0; c < point_classes; ++c)
+        if (task.points[c] == 0)
+            best.effort.at[c] = balanced.at[c];
     return {best.effort, best.units};
 }
 
+// Where variance has a price, every class chooses for itself; all prices are tried.
 Effort balance_effort(const SharedTask& task, std::size_t paths, Weighing weighing) {
-    return best_effort(task, paths, weighing, price_of);
+    Effort best{paths, weighing, {}};
+    double least = std::numeric_limits<double>::max();
+    for (int exponent = -40; exponent <= 40; ++exponent) {
+        const double price = std::exp2(0.5 * exponent); // of a nanosecond, in variance
+        Effort effort;
+        effort.paths = paths;
+        effort.weighing = weighing;
+        for (std::size_t c = 0; c < point_classes; ++c) {
+            const double direction = task.costs.direction_of(task.reach.share(c, paths));
+            effort.at[c] = {best_count(task.models[c].draws_by(weighing),
+                                       price * task.costs.draw_by(weighing),
+                                       fewest_draws,
+                                       most_draws),
+                            best_count(task.models[c].directions * task.share_of_rays(c, paths),
+                                       price * direction,
+                                       1,
+                                       most_directions),
+                            best_count(task.models[c].direct,
+                                       price * task.costs.look * task.models[c].look_samples,
+                                       1,
+                                       most_looks,
+                                       2.0)};
+        }
+        if (const double p = price_of(outcome_of(task, effort)); p < least) {
+            least = p;
+            best = effort;
+        }
+    }
+    return best;
 }
 
 Effort balance_paths(const SharedTask& task, std::size_t paths) {
@@ -353,8 +348,10 @@ Effort balance_paths(const SharedTask& task, std::size_t paths) {
 
 std::size_t choose_samples(const VarianceModel& model, std::size_t units) {
     const double left = std::max(0.1, aim * static_cast<double>(units) - model.direct);
-    return static_cast<std::size_t>(
-        power_of_two_above(model.samples / left, fewest_samples, most_samples));
+    const double wanted = std::clamp(model.samples / left,
+                                     static_cast<double>(fewest_samples),
+                                     static_cast<double>(most_samples));
+    return std::bit_ceil(static_cast<std::size_t>(std::ceil(wanted)));
 }
 
 } // namespace isolux

@@ -136,7 +136,8 @@ private:
     void try_out(std::span<const OpenPoint> points,
                  std::span<const std::size_t> which,
                  double worth);
-    [[nodiscard]] ByClass<double> needed_growth(std::span<const OpenPoint> open) const;
+    [[nodiscard]] ByClass<double> needed_growth(std::span<const OpenPoint> open,
+                                                std::span<const std::size_t> changed) const;
     [[nodiscard]] double own_cost(std::size_t receiver) const noexcept;
     [[nodiscard]] std::size_t rounds_of(std::size_t receiver) const noexcept;
     void choose_estimators();

@@ -30,8 +30,8 @@ constexpr double most_samples = 1U << 14U;
 /// who stops in between loses no more.
 constexpr double longest_unit = 4.0;
 
-/// No bound at all.
-constexpr double most_growth = 1e6;
+/// So much more is never needed.
+constexpr double no_bound = 1e6;
 
 /// A power of two, or a multiple of `round`: blocks of whole nets.
 std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
@@ -42,13 +42,19 @@ std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
 
 } // namespace
 
-/// How many times as much as so far would finish most points of a class in one more unit.
-ByClass<double> Engine::needed_growth(std::span<const OpenPoint> open) const {
+/// How many times as much as so far a unit should hold at most, for each class.
+/// @param changed  receivers whose estimator has just changed, ascending
+ByClass<double> Engine::needed_growth(std::span<const OpenPoint> open,
+                                      std::span<const std::size_t> changed) const {
     ByClass<std::vector<double>> units;
-    for (const OpenPoint& p : open)
-        if (p.refines_indirect && takes_paths(estimators_[p.receiver]))
-            units[static_cast<std::size_t>(classes_[p.receiver])].push_back(
-                p.current.units > 0 ? units_missing(p.current) : most_growth);
+    for (const OpenPoint& p : open) {
+        if (!p.refines_indirect || !takes_paths(estimators_[p.receiver]))
+            continue;
+        const bool is_new = std::binary_search(changed.begin(), changed.end(), p.receiver);
+        const Advance& advance = is_new ? p.parked : p.current;
+        units[static_cast<std::size_t>(classes_[p.receiver])].push_back(
+            advance.units > 0 ? units_missing(advance) : no_bound);
+    }
     ByClass<double> growth{};
     for (std::size_t c = 0; c < point_classes; ++c)
         growth[c] = growth_for(std::move(units[c]));
@@ -69,12 +75,12 @@ NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     // More for each of few points, if they need it; never less, so that no number is drawn
     // twice.
     const Effort balanced = balance_effort(task, effort_.paths, effort_.weighing);
-    const ByClass<double> needed = needed_growth(open);
+    const ByClass<double> needed = needed_growth(open, next.changed);
     for (std::size_t c = 0; c < point_classes; ++c) {
         PointEffort& e = effort_.at[c];
         const auto grown = [&](std::size_t now, std::size_t most) {
             const double enough =
-                std::ceil(std::min(needed[c] * static_cast<double>(now), most_growth));
+                std::ceil(std::min(needed[c] * static_cast<double>(now), no_bound));
             return std::max(now,
                             std::min(most, std::bit_ceil(static_cast<std::size_t>(enough))));
         };

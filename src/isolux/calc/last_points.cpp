@@ -19,7 +19,8 @@ double growth_for(std::vector<double> units) {
     constexpr double to_be_sure = 2.0;
     if (units.empty())
         return 1.0;
-    const auto most = units.begin() + static_cast<std::ptrdiff_t>(units.size() * 4 / 5);
+    const auto most =
+        units.begin() + static_cast<std::ptrdiff_t>((4 * units.size() + 4) / 5 - 1);
     std::nth_element(units.begin(), most, units.end());
     return std::max(1.0, to_be_sure * *most);
 }

@@ -42,8 +42,8 @@ struct NextLook {
 /// The same in units.
 [[nodiscard]] double units_missing(const Advance& a) noexcept;
 
-/// How many times as much in every unit would finish most points in a single one, at least 1.
-/// @param units  that they need as it is
+/// How many times as much a single unit should hold to bring twice what four fifths of some
+/// points are missing, at least 1. @param units  that each is missing, as units were
 [[nodiscard]] double growth_for(std::vector<double> units);
 
 /// Which points path tracing finishes for less: the light paths of LE-MIS cost the same however

@@ -55,7 +55,6 @@ struct PaneBox {
     Vector3 lower{1e30, 1e30, 1e30};
     Vector3 upper{-1e30, -1e30, -1e30};
 
-    PaneBox() = default;
     explicit PaneBox(std::span<const Piece> panes);
 
     /// False is certain: the box about the segment and this one have nothing in common.

@@ -19,6 +19,12 @@ constexpr double most_beyond = 0.02;
 
 constexpr std::size_t most_planes = 16;
 
+/// So many of the largest planes are looked at.
+constexpr std::size_t most_candidates = 32;
+
+/// Nearer to a plane than this part of the step that rays keep off surfaces counts as in it.
+constexpr double spare_part = 0.2;
+
 std::array<Vector3, 3> corners_of(const Piece& p) noexcept {
     return {p.a, p.a + p.ab, p.a + p.ac};
 }
@@ -67,11 +73,14 @@ std::vector<Face> large_planes(std::span<const Piece> pieces, double least) {
     std::stable_sort(planes.begin(), planes.end(), [](const Face& a, const Face& b) {
         return a.area > b.area;
     });
+    planes.resize(std::min(planes.size(), most_candidates));
     return planes;
 }
 
-/// How much of the surfaces has a corner beyond a plane, m2.
-double area_beyond(std::span<const Piece> pieces, const Vector3& normal, double limit) {
+/// How much of the surfaces has a corner beyond a plane, m2; more than `most` is not counted
+/// on.
+double
+area_beyond(std::span<const Piece> pieces, const Vector3& normal, double limit, double most) {
     double beyond = 0.0;
     for (const Piece& p : pieces) {
         double highest = -1e300;
@@ -79,6 +88,8 @@ double area_beyond(std::span<const Piece> pieces, const Vector3& normal, double 
             highest = std::max(highest, dot(normal, c));
         if (highest > limit)
             beyond += area_of(p);
+        if (beyond > most)
+            break;
     }
     return beyond;
 }
@@ -102,45 +113,41 @@ ISOLUX_WIDE_VECTORS void find_farthest(const RayPacket& rays,
 
 OuterPlanes::OuterPlanes(std::span<const Piece> pieces) {
     double area = 0.0;
-    Vector3 reach;
-    for (const Piece& p : pieces) {
+    for (const Piece& p : pieces)
         area += area_of(p);
-        for (const Vector3& c : corners_of(p))
-            reach = {std::max(reach.x, std::abs(c.x)),
-                     std::max(reach.y, std::abs(c.y)),
-                     std::max(reach.z, std::abs(c.z))};
-    }
-    spare_ = 0.2 * float_offset(reach);
     double left = most_beyond * area;
-    for (const Face& face : large_planes(pieces, least_share * area))
+    for (const Face& face : large_planes(pieces, least_share * area)) {
+        const double spare = spare_part * float_offset({face.offset, 0.0, 0.0});
         for (const double sign : {1.0, -1.0}) {
             const UnitVector3 normal = sign > 0.0 ? face.normal : -face.normal;
-            const double offset = sign * face.offset;
-            const double beyond = area_beyond(pieces, normal, offset + spare_);
+            const double limit = sign * face.offset + spare;
+            const double beyond = area_beyond(pieces, normal, limit, left);
             if (beyond > left || planes_.size() == most_planes)
                 continue;
             left -= beyond;
-            planes_.push_back({normal, offset});
+            planes_.push_back({normal, sign * face.offset, spare});
             rounded_.push_back({static_cast<float>(normal.x()),
                                 static_cast<float>(normal.y()),
                                 static_cast<float>(normal.z()),
-                                static_cast<float>(offset + spare_)});
+                                static_cast<float>(limit)});
             break;
         }
+    }
 }
 
 bool OuterPlanes::hold(const Piece& piece) const noexcept {
     const auto corners = corners_of(piece);
     return std::any_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
         return std::all_of(corners.begin(), corners.end(), [&](const Vector3& c) {
-            return std::abs(dot(plane.normal, c) - plane.offset) <= spare_;
+            return std::abs(dot(plane.normal, c) - plane.offset) <= plane.spare;
         });
     });
 }
 
 bool OuterPlanes::enclose(const Vector3& p, const Vector3& q) const noexcept {
     return std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
-        return std::max(dot(plane.normal, p), dot(plane.normal, q)) <= plane.offset + spare_;
+        return std::max(dot(plane.normal, p), dot(plane.normal, q))
+               <= plane.offset + plane.spare;
     });
 }
 

@@ -40,11 +40,11 @@ private:
     struct Plane {
         UnitVector3 normal;
         double offset = 0.0; ///< m
+        double spare = 0.0;  ///< m; nearer counts as in it
     };
 
     std::vector<Plane> planes_;
     std::vector<Rounded> rounded_; ///< the same
-    double spare_ = 0.0;           ///< m; nearer to a plane counts as in it
 };
 
 } // namespace isolux

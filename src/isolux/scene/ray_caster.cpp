@@ -45,6 +45,14 @@ void find_ends(RayPacket& p) noexcept {
     }
 }
 
+/// Whether to build a second search tree without what lies in the outer planes. @param held  so
+/// many triangles do
+bool is_worth_a_tree(std::size_t triangles, std::size_t held) noexcept {
+    constexpr std::size_t small_scene = 100000; // its trees cost little
+    constexpr std::size_t one_in = 100;
+    return held > 0 && (triangles <= small_scene || held * one_in >= triangles);
+}
+
 /// Which ends leave anything of their segment.
 std::uint32_t lanes_with_room(const RayPacket& p) noexcept {
     std::uint32_t bits = 0;
@@ -64,7 +72,7 @@ struct RayCaster::Implementation {
     std::vector<std::vector<std::uint32_t>> twins; ///< of opaque pieces
     std::optional<Blockers> all;
     OuterPlanes outer;
-    std::optional<Blockers> inner; ///< without what lies in the outer planes, if anything does
+    std::optional<Blockers> inner; ///< without what lies in the outer planes, where worth it
 
     /// What can stand between two points that the outer planes enclose, or not.
     [[nodiscard]] const Blockers& between(bool is_inside) const noexcept {
@@ -103,16 +111,20 @@ struct RayCaster::Implementation {
 RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triangles)
     : centre(middle_of(triangles)) {
     Vector3 reach;
-    std::vector<Piece> pieces;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        pieces.push_back(make_piece(triangles[i], TriangleId(i), centre));
-        (triangles[i].is_pane ? panes : opaque).push_back(pieces.back());
-        for (const auto& p : triangles[i].corner) {
-            const Vector3 v = p - centre;
-            reach = {std::max(reach.x, v.x), std::max(reach.y, v.y), std::max(reach.z, v.z)};
+    {
+        std::vector<Piece> pieces;
+        pieces.reserve(triangles.size());
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            pieces.push_back(make_piece(triangles[i], TriangleId(i), centre));
+            (triangles[i].is_pane ? panes : opaque).push_back(pieces.back());
+            for (const auto& p : triangles[i].corner) {
+                const Vector3 v = p - centre;
+                reach = {
+                    std::max(reach.x, v.x), std::max(reach.y, v.y), std::max(reach.z, v.z)};
+            }
         }
+        outer = OuterPlanes(pieces);
     }
-    outer = OuterPlanes(pieces);
     // Those inside first: a pane has one number in both trees.
     const auto is_inner = [this](const Piece& p) { return !outer.hold(p); };
     const auto inner_panes =
@@ -121,7 +133,8 @@ RayCaster::Implementation::Implementation(std::span<const CasterTriangle> triang
     all.emplace(opaque, panes);
     std::vector<Piece> inner_opaque;
     std::copy_if(opaque.begin(), opaque.end(), std::back_inserter(inner_opaque), is_inner);
-    if (!outer.empty())
+    const std::size_t kept = inner_opaque.size() + inner_panes.size();
+    if (is_worth_a_tree(triangles.size(), triangles.size() - kept))
         inner.emplace(inner_opaque, inner_panes);
 }
 

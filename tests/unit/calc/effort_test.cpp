@@ -70,11 +70,16 @@ TEST(Effort, IsLeastWhereNothingIsAskedFor) {
 }
 
 TEST(Effort, DoesNotShrinkWhereTheFirstLookCannotReachTheGoal) {
-    const VarianceModel far{.paths = 1e7, .draws = 1e5, .directions = 1e4, .direct = 1e3};
-    const EffortChoice c = choose_effort(open_task(far, 300));
-    EXPECT_EQ(c.units, most_units);
-    EXPECT_GT(c.effort.paths, fewest_paths);
-    EXPECT_GT(c.effort.at[0].draws, fewest_draws);
+    for (const double farther : {1.0, 100.0, 1e6}) {
+        const VarianceModel far{.paths = 1e7 * farther,
+                                .draws = 1e5 * farther,
+                                .directions = 1e4 * farther,
+                                .direct = 1e3};
+        const EffortChoice c = choose_effort(open_task(far, 300));
+        EXPECT_EQ(c.units, most_units) << farther;
+        EXPECT_GT(c.effort.paths, 2 * fewest_paths) << farther;
+        EXPECT_GT(c.effort.at[0].draws, 4 * fewest_draws) << farther;
+    }
 }
 
 TEST(Effort, IsMoreWhereTheNoiseIs) {
@@ -262,11 +267,7 @@ TEST(Effort, CountsWhatTheTreeCostsAndVariesBy) {
                 32768.0 * c.tree_path / 24000.0,
                 1e-6);
     // ... so what a point costs alone, without the paths, does not depend on them
-    const auto own = [&](std::size_t paths) {
-        return c.of(paths, e, 1, Weighing::tree)
-               - static_cast<double>(paths) * c.path_by(Weighing::tree);
-    };
-    EXPECT_NEAR(own(65536), own(4096), 1e-6);
+    EXPECT_NEAR(c.own(65536, e, Weighing::tree), c.own(4096, e, Weighing::tree), 1e-6);
 }
 
 TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
@@ -281,6 +282,22 @@ TEST(WorkPlan, TracesAClassWherePathTracingIsMoreEfficient) {
     EXPECT_GT(plan.advantage[0], 1.0);
     EXPECT_LT(plan.advantage[1], 0.8);
     EXPECT_NE(describe_advantage(plan).find("open points"), std::string::npos);
+}
+
+TEST(WorkPlan, LooksAtTheLuminairesWhereTracedPointsNeedIt) {
+    Pilot pilot;
+    pilot.points = {30, 30};
+    pilot.of_class[0] = {.paths = 100.0, .draws = 4.0, .directions = 1.0, .samples = 50.0};
+    pilot.of_class[1] = {.paths = 1e6,
+                         .draws = 4.0,
+                         .directions = 1.0,
+                         .direct = 50.0,
+                         .samples = 1.0,
+                         .look_samples = 8.0};
+    const WorkPlan plan = make_work_plan(Settings{}, pilot, costs, {30, 30, 0, 0}, {});
+    ASSERT_EQ(plan.of_class[1], PointEstimator::path_tracing);
+    EXPECT_EQ(plan.effort.at[0].looks, 1U);
+    EXPECT_GT(plan.effort.at[1].looks, 4U);
 }
 
 TEST(WorkPlan, LeavesTheEstimatorToTheUserWhoNamesOne) {

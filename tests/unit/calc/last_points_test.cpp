@@ -67,8 +67,9 @@ TEST(LastPoints, GrowNoMoreThanMostOfThemNeed) {
     EXPECT_DOUBLE_EQ(units_missing({4, 3.0}), 10.4);
     EXPECT_EQ(growth_for({}), 1.0);
     EXPECT_EQ(growth_for({0.25, 0.25, 0.25}), 1.0);
-    // twice what four fifths of them need; one that needs very much does not count
-    EXPECT_EQ(growth_for({0.5, 3.0, 1.0, 0.25, 2.0, 1.5, 0.25, 1.0, 900.0, 0.5}), 6.0);
+    // twice what four fifths of them need; who needs very much does not count
+    EXPECT_EQ(growth_for({0.5, 3.0, 1.0, 0.25, 2.0, 1.5, 0.25, 1.0, 900.0, 0.5}), 4.0);
+    EXPECT_EQ(growth_for({900.0, 1.0, 2.0, 0.5, 0.5}), 4.0);
     EXPECT_EQ(growth_for({7.0}), 14.0);
 }
 

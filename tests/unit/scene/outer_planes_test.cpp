@@ -165,15 +165,21 @@ TEST(OuterPlanes, AreNotTheInnerWallsOfACorner) {
     EXPECT_EQ(RayCaster(t).transmittance(turned(8, 1, 1), turned(1, 1, 1)), 1.0);
 }
 
-/// The same triangles and a far one, which makes every plane one with things on both sides:
-/// nothing is left out of what is traced.
+/// The same triangles and large ones anywhere far away: no plane has next to nothing beyond it,
+/// so all of them are traced.
 RayCaster plain_caster(std::vector<CasterTriangle> triangles) {
-    for (const auto& shift :
-         {Vector3{400, 0, 0}, Vector3{-400, 0, 0}, Vector3{0, 400, 0}, Vector3{0, -400, 0}})
-        for (const double z : {-40.0, 40.0}) {
-            const Point3 p = Point3{0, 0, z} + shift;
-            triangles.push_back({.corner = {p, p + Vector3{30, 0, 1}, p + Vector3{0, 30, 2}}});
-        }
+    std::mt19937_64 random(6);
+    std::normal_distribution<double> anywhere;
+    const auto vector = [&](double size) {
+        return size
+               * Vector3(
+                   UnitVector3(Vector3{anywhere(random), anywhere(random), anywhere(random)}));
+    };
+    for (int i = 0; i < 200; ++i) {
+        const Point3 p = Point3{} + vector(400.0);
+        triangles.push_back({.corner = {p, p + vector(30.0), p + vector(30.0)}});
+    }
+    EXPECT_TRUE(OuterPlanes(pieces_of(triangles)).empty());
     return RayCaster(triangles);
 }
 
@@ -219,6 +225,47 @@ TEST(OuterPlanes, ChangeNothingOfWhatIsSeen) {
     EXPECT_GT(blocked, 10000);
     EXPECT_GT(dimmed, 500);
     EXPECT_GT(seen, 10000);
+}
+
+TEST(OuterPlanes, StopLightThatComesFromBehindThem) {
+    // One wall alone is a plane with nothing beyond it, whichever side one calls that.
+    std::vector<CasterTriangle> wall;
+    add_rectangle(wall, {turned(0, 0, 0), turned(4, 0, 0), turned(4, 0, 3), turned(0, 0, 3)});
+    ASSERT_FALSE(OuterPlanes(pieces_of(wall)).empty());
+    const RayCaster alone(wall);
+    EXPECT_EQ(alone.transmittance(turned(2, -1, 1), turned(2, 1, 1)), 0.0);
+    EXPECT_EQ(alone.transmittance(turned(2, 1, 1), turned(2, -1, 1)), 0.0);
+    EXPECT_EQ(alone.transmittance(turned(1, 1, 1), turned(2, 1, 1)), 1.0);
+    EXPECT_EQ(alone.transmittance(turned(1, -1, 1), turned(2, -1, 1)), 1.0);
+
+    // A hall of 200 m: a millimetre and an offset behind its floor and its walls.
+    std::vector<CasterTriangle> hall;
+    add_box(hall, {0, 0, 0}, {200, 150, 6});
+    const RayCaster caster(hall);
+    const Point3 inside = turned(90, 70, 2);
+    const Point3 below = caster.offset_point(turned(91, 71, 0), Vector3{0, 0, -1});
+    const std::array<SightSegment, 4> segments{{{below, inside},
+                                                {turned(91, 71, -1e-3), inside},
+                                                {turned(200.001, 70, 2), inside},
+                                                {inside, turned(20, 10, 1)}}};
+    std::array<float, 4> seen{};
+    caster.transmittance16(segments, 0xfU, seen, RayOrder::scattered);
+    for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(seen[k], k == 3 ? 1.0F : 0.0F) << k;
+        EXPECT_EQ(caster.transmittance(segments[k].a, segments[k].b), k == 3 ? 1.0 : 0.0) << k;
+    }
+}
+
+TEST(OuterPlanes, MayBeOfGlass) {
+    std::vector<CasterTriangle> box;
+    add_box(box, {0, 0, 0}, {4, 3, 2});
+    for (CasterTriangle& t : box)
+        t.is_pane = true;
+    const RayCaster caster(box);
+    EXPECT_EQ(caster.transmittance(turned(1, 1, 1), turned(3, 2, 1)), 1.0);
+    const double through = caster.transmittance(turned(1, 1, 1), turned(1, 1, 3));
+    EXPECT_GT(through, 0.5);
+    EXPECT_LT(through, 1.0);
 }
 
 } // namespace
