@@ -117,12 +117,14 @@ OuterPlanes::OuterPlanes(std::span<const Piece> pieces) {
         area += area_of(p);
     double left = most_beyond * area;
     for (const Face& face : large_planes(pieces, least_share * area)) {
+        if (planes_.size() == most_planes)
+            break;
         const double spare = spare_part * float_offset({face.offset, 0.0, 0.0});
         for (const double sign : {1.0, -1.0}) {
             const UnitVector3 normal = sign > 0.0 ? face.normal : -face.normal;
             const double limit = sign * face.offset + spare;
             const double beyond = area_beyond(pieces, normal, limit, left);
-            if (beyond > left || planes_.size() == most_planes)
+            if (beyond > left)
                 continue;
             left -= beyond;
             planes_.push_back({normal, sign * face.offset, spare});

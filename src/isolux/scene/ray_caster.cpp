@@ -74,9 +74,10 @@ struct RayCaster::Implementation {
     OuterPlanes outer;
     std::optional<Blockers> inner; ///< without what lies in the outer planes, where worth it
 
-    /// What can stand between two points that the outer planes enclose, or not.
-    [[nodiscard]] const Blockers& between(bool is_inside) const noexcept {
-        return inner && is_inside ? *inner : *all;
+    /// What can stand between two points, or between the ends of all rays that are wanted.
+    template <class... Ends>
+    [[nodiscard]] const Blockers& between(const Ends&... ends) const noexcept {
+        return inner && outer.enclose(ends...) ? *inner : *all;
     }
 
     [[nodiscard]] std::uint32_t
@@ -213,7 +214,7 @@ double RayCaster::transmittance(const Point3& a, const Point3& b) const noexcept
     const auto& self = *implementation_;
     const Vector3 from = a - self.centre;
     const Vector3 to = b - self.centre;
-    return self.between(self.outer.enclose(from, to)).transmittance(from, to);
+    return self.between(from, to).transmittance(from, to);
 }
 
 void RayCaster::transmittance16(std::span<const SightSegment> segments,
@@ -236,7 +237,7 @@ void RayCaster::transmittance16(std::span<const SightSegment> segments,
     wanted &= lanes_with_room(packet); // the others are too short for anything to be between
     if (wanted == 0)
         return;
-    self.between(self.outer.enclose(packet, wanted))
+    self.between(packet, wanted)
         .transmittance16(segments, self.centre, packet, wanted, result, order);
 }
 

@@ -98,7 +98,7 @@ enum class Weighing : std::uint8_t {
 };
 
 /// Walks paths [first, first + count) in parallel, each into its own slot.
-/// @param used  whose memory is taken over: fresh memory costs a tenth of a small batch
+/// @param used  whose memory is taken over; the system hands out fresh memory slowly
 [[nodiscard]] VertexCache build_vertex_cache(const Scene& scene,
                                              const Emission& emission,
                                              const PathRandomness& random,
