@@ -143,22 +143,20 @@ private:
     void choose_estimators();
     void fix_counts();
     [[nodiscard]] bool takes_paths(PointEstimator e) const noexcept;
-    void estimate_local(const VertexCache& cache,
-                        std::span<const std::size_t> points,
-                        std::size_t first,
-                        std::uint32_t replicate,
-                        std::uint32_t unit,
-                        Weighting weighting,
-                        const LightLedger& tile,
-                        RayCounts& rays) const;
-    void send_rays(const VertexCache& cache,
-                   std::span<const std::size_t> points,
-                   std::size_t first,
-                   std::uint32_t replicate,
-                   std::uint32_t unit,
-                   PointEstimator estimator,
-                   const LightLedger& tile,
-                   RayCounts& rays) const;
+
+    /// Some points of a tile in one replicate and unit, and where their light goes.
+    struct TileWork {
+        const VertexCache& cache;
+        std::span<const std::size_t> points;
+        std::size_t first = 0; ///< of the tile's receivers
+        std::uint32_t replicate = 0;
+        std::uint32_t unit = 0;
+        const LightLedger& tile;
+        RayCounts& rays;
+    };
+
+    void estimate_local(const TileWork& work, Weighting weighting) const;
+    void send_rays(const TileWork& work, PointEstimator estimator) const;
 
     const Scene* scene_;
     Settings settings_;

@@ -39,53 +39,42 @@ Engine::build_cache(std::uint32_t replicate, std::uint32_t unit, VertexCache use
                               std::move(used));
 }
 
-void Engine::estimate_local(const VertexCache& cache,
-                            std::span<const std::size_t> points,
-                            std::size_t first,
-                            std::uint32_t replicate,
-                            std::uint32_t unit,
-                            Weighting weighting,
-                            const LightLedger& tile,
-                            RayCounts& rays) const {
+void Engine::estimate_local(const TileWork& work, Weighting weighting) const {
     thread_local LocalScratch scratch;
     thread_local std::vector<LocalPoint> locals;
     thread_local std::vector<Rgb> sums;
-    const RandomStream subset(settings_.seed, StreamPurpose::subset, replicate);
+    const RandomStream subset(settings_.seed, StreamPurpose::subset, work.replicate);
     locals.clear();
-    for (const std::size_t i : points) {
+    for (const std::size_t i : work.points) {
         const PointEffort& effort = effort_of(i);
         locals.push_back({&receivers_[i],
                           clear_[i],
-                          subset.uniform(i, unit),
+                          subset.uniform(i, work.unit),
                           effort.draws,
                           gathers(i) ? static_cast<double>(effort.directions) : 0.0,
                           is_within(i, counts_.corner)});
-        rays.shadow += effort.draws;
+        work.rays.shadow += effort.draws;
     }
-    sums.assign(points.size(), {});
-    const auto draws = gather_local_estimates(*scene_, cache, locals, weighting, scratch, sums);
-    for (std::size_t k = 0; k < points.size(); ++k)
-        tile.total[points[k] - first] += sums[k];
-    if (!tile.by_source.empty() || tile.wants_trails())
+    sums.assign(work.points.size(), {});
+    const auto draws =
+        gather_local_estimates(*scene_, work.cache, locals, weighting, scratch, sums);
+    for (std::size_t k = 0; k < work.points.size(); ++k)
+        work.tile.total[work.points[k] - work.first] += sums[k];
+    if (!work.tile.by_source.empty() || work.tile.wants_trails())
         for (const LocalDraw& draw : draws) {
-            const std::size_t point = points[draw.point] - first;
-            tile.add_to_source(point, cache.vertices[draw.vertex].luminaire, draw.light);
-            if (!tile.wants_trails())
+            const std::size_t point = work.points[draw.point] - work.first;
+            work.tile.add_to_source(
+                point, work.cache.vertices[draw.vertex].luminaire, draw.light);
+            if (!work.tile.wants_trails())
                 continue;
             const double lux = luminance_sum(draw.light);
-            visit_chain(
-                cache, draw.vertex, [&](MaterialId m) { tile.add_reflection(point, m, lux); });
+            visit_chain(work.cache, draw.vertex, [&](MaterialId m) {
+                work.tile.add_reflection(point, m, lux);
+            });
         }
 }
 
-void Engine::send_rays(const VertexCache& cache,
-                       std::span<const std::size_t> points,
-                       std::size_t first,
-                       std::uint32_t replicate,
-                       std::uint32_t unit,
-                       PointEstimator estimator,
-                       const LightLedger& tile,
-                       RayCounts& rays) const {
+void Engine::send_rays(const TileWork& work, PointEstimator estimator) const {
     thread_local WalkFront front;
     thread_local std::vector<RayPoint> senders;
     thread_local std::vector<Rgb> sums;
@@ -94,51 +83,53 @@ void Engine::send_rays(const VertexCache& cache,
     const bool traces = estimator == PointEstimator::path_tracing;
     const bool has_mirrors = images_.scene_has_mirrors();
     std::size_t rounds = 1;
-    for (const std::size_t i : points)
+    for (const std::size_t i : work.points)
         rounds = traces ? std::max(rounds, rounds_of(i)) : 1;
     for (std::size_t round = 0; round < rounds; ++round) {
         senders.clear();
-        for (const std::size_t i : points) {
+        for (const std::size_t i : work.points) {
             const bool takes_part = traces ? round < rounds_of(i) : gathers(i) || has_mirrors;
             const std::size_t samples = traces ? samples_[i] : effort_of(i).directions;
             // A point that changes shares no number with what it had before.
             const std::uint32_t begin = traces && began_[i] != unchanged ? began_[i] : 0;
-            senders.push_back(
-                {&receivers_[i],
-                 clear_[i],
-                 {settings_.seed,
-                  traces ? StreamPurpose::tracing : StreamPurpose::gather,
-                  replicate,
-                  i},
-                 !takes_part ? 0
-                 : traces    ? std::min<std::size_t>(samples, samples_at_once)
-                             : samples,
-                 static_cast<std::uint32_t>((unit - begin) * samples + round * samples_at_once),
-                 is_within(i, counts_.corner),
-                 estimator == PointEstimator::mis && gathers(i)});
+            senders.push_back({&receivers_[i],
+                               clear_[i],
+                               {settings_.seed,
+                                traces ? StreamPurpose::tracing : StreamPurpose::gather,
+                                work.replicate,
+                                i},
+                               !takes_part ? 0
+                               : traces    ? std::min<std::size_t>(samples, samples_at_once)
+                                           : samples,
+                               static_cast<std::uint32_t>((work.unit - begin) * samples
+                                                          + round * samples_at_once),
+                               is_within(i, counts_.corner),
+                               estimator == PointEstimator::mis && gathers(i)});
         }
-        sums.assign(points.size(), {});
+        sums.assign(work.points.size(), {});
         front.start(*scene_, emission_, images_, senders);
         if (traces) {
             front.add_tracing();
         } else {
-            front.share_with(cache, counts_);
+            front.share_with(work.cache, counts_);
             front.add_gathering();
         }
         // The points may be some of the tile's only.
-        const std::size_t n = points.size();
-        const std::size_t tile_points = tile.total.size();
-        by_source.assign(tile.by_source.size() / tile_points * n, 0.0);
-        by_material.assign(tile.by_material.size() / tile_points * n, 0.0);
-        rays.gather += front.run({sums, layout_, by_source, by_material});
+        const std::size_t n = work.points.size();
+        const std::size_t tile_points = work.tile.total.size();
+        by_source.assign(work.tile.by_source.size() / tile_points * n, 0.0);
+        by_material.assign(work.tile.by_material.size() / tile_points * n, 0.0);
+        work.rays.gather += front.run({sums, layout_, by_source, by_material});
         for (std::size_t k = 0; k < n; ++k) {
-            const std::size_t point = points[k] - first;
-            const double share = traces ? 1.0 / static_cast<double>(rounds_of(points[k])) : 1.0;
-            tile.total[point] += share * sums[k];
+            const std::size_t point = work.points[k] - work.first;
+            const double share =
+                traces ? 1.0 / static_cast<double>(rounds_of(work.points[k])) : 1.0;
+            work.tile.total[point] += share * sums[k];
             for (std::size_t s = 0; s < by_source.size() / n; ++s)
-                tile.by_source[s * tile_points + point] += share * by_source[s * n + k];
+                work.tile.by_source[s * tile_points + point] += share * by_source[s * n + k];
             for (std::size_t m = 0; m < by_material.size() / n; ++m)
-                tile.by_material[m * tile_points + point] += share * by_material[m * n + k];
+                work.tile.by_material[m * tile_points + point] +=
+                    share * by_material[m * n + k];
         }
     }
 }
@@ -169,18 +160,12 @@ void Engine::estimate_indirect(const VertexCache& cache,
                 points.push_back(i);
         if (points.empty())
             continue;
+        const TileWork work{cache, points, first, replicate, unit, tile, rays};
         const bool alone = estimator == PointEstimator::local;
         if (estimator != PointEstimator::path_tracing)
-            estimate_local(cache,
-                           points,
-                           first,
-                           replicate,
-                           unit,
-                           alone ? Weighting::alone : Weighting::balanced,
-                           tile,
-                           rays);
+            estimate_local(work, alone ? Weighting::alone : Weighting::balanced);
         if (!alone || images_.scene_has_mirrors())
-            send_rays(cache, points, first, replicate, unit, estimator, tile, rays);
+            send_rays(work, estimator);
     }
     for (std::size_t i = 0; i < result.size(); ++i) {
         if (estimators_[first + i] == PointEstimator::study && (open.empty() || open[i] != 0))
