@@ -56,9 +56,7 @@ Case furnished() {
                 b.add_panel({2, 1.5, 2.95}, {0, 0.6, 0}, {0.6, 0, 0}, 4000);
                 b.add_point({4.2, 3.2, 2.2}, b.add_isotropic_type(800));
             },
-            grid({0, 0, 0.95}, {5, 0, 0}, {0, 4, 0}, {0, 0, 1}),
-            0.002,
-            true};
+            grid({0, 0, 0.95}, {5, 0, 0}, {0, 4, 0}, {0, 0, 1})};
 }
 
 Case mirror_floor() {
@@ -129,7 +127,6 @@ Case panes_in_a_row() {
 
 Case coloured_sensors() {
     Case c = furnished();
-    c.is_dark = false;
     c.name = "cylindrical, semi-cylindrical, hemispherical and spherical receivers";
     int i = 0;
     for (Receiver& r : c.receivers) {

@@ -92,11 +92,16 @@ private:
     // ---- steps ---------------------------------------------------------------------------
 
     [[nodiscard]] PilotTarget target() const {
-        return {settings_.tolerance,
-                surfaces_.empty() ? 2.0 : rule(0).factor(0, replicates),
-                settings_.absolute_tolerance,
-                darkest_share,
-                static_cast<double>(replicates)};
+        PilotTarget t{settings_.tolerance,
+                      surfaces_.empty() ? 2.0 : rule(0).factor(0, replicates),
+                      settings_.absolute_tolerance,
+                      darkest_share,
+                      static_cast<double>(replicates),
+                      {}};
+        std::size_t end = 0;
+        for (const CalculationSurface& s : surfaces_)
+            t.ends.push_back(end += s.receivers.size());
+        return t;
     }
 
     /// One unit for every open point. False if it was cut short; what is worth keeping is

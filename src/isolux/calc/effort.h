@@ -29,7 +29,7 @@ public:
     /// All gather, whatever lies around them.
     GatherReach() = default;
 
-    /// @param area  of all surfaces, each counted once, m2
+    /// @param area  f² A of METHODS eq. (140), m2
     explicit GatherReach(double area) noexcept : area_(area) {}
 
     /// The same before any point was counted.

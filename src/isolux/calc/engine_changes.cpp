@@ -30,6 +30,10 @@ constexpr double most_samples = 1U << 14U;
 /// who stops in between loses no more.
 constexpr double longest_unit = 4.0;
 
+/// Draws and gather rays of an open point may each cost this part of its share of the light
+/// paths, whatever the pilot thinks they are worth: of a single point it knows little.
+constexpr double fair_part = 0.25;
+
 /// So much more is never needed.
 constexpr double no_bound = 1e6;
 
@@ -38,6 +42,12 @@ std::uint32_t whole_rounds(double samples, std::uint32_t round) noexcept {
     const auto wanted =
         static_cast<std::uint32_t>(std::ceil(std::clamp(samples, 4.0, most_samples)));
     return wanted <= round ? std::bit_ceil(wanted) : (wanted + round - 1) / round * round;
+}
+
+/// The power of two within [1, most] of which the whole costs no more than `worth`.
+std::size_t affordable(double worth, double cost, std::size_t most) noexcept {
+    const double count = std::clamp(worth / cost, 1.0, static_cast<double>(most));
+    return std::bit_floor(static_cast<std::size_t>(count));
 }
 
 } // namespace
@@ -76,6 +86,10 @@ NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
     // twice.
     const Effort balanced = balance_effort(task, effort_.paths, effort_.weighing);
     const ByClass<double> needed = needed_growth(open, next.changed);
+    const double worth = fair_part * static_cast<double>(effort_.paths)
+                         * costs_.path_by(effort_.weighing) / static_cast<double>(task.all());
+    const std::size_t draws = affordable(worth, costs_.draw_by(effort_.weighing), most_draws);
+    const std::size_t directions = affordable(worth, costs_.direction, most_directions);
     for (std::size_t c = 0; c < point_classes; ++c) {
         PointEffort& e = effort_.at[c];
         const auto grown = [&](std::size_t now, std::size_t most) {
@@ -84,8 +98,8 @@ NextLook Engine::adapt(std::span<const OpenPoint> open, std::size_t units) {
             return std::max(now,
                             std::min(most, std::bit_ceil(static_cast<std::size_t>(enough))));
         };
-        e.draws = grown(e.draws, balanced.at[c].draws);
-        e.directions = grown(e.directions, balanced.at[c].directions);
+        e.draws = grown(e.draws, std::max(draws, balanced.at[c].draws));
+        e.directions = grown(e.directions, std::max(directions, balanced.at[c].directions));
         e.looks = std::max(e.looks, balanced.at[c].looks);
     }
     return next;

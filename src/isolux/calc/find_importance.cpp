@@ -13,7 +13,7 @@ namespace {
 
 /// Where the darkest point has this share of the points' or of all surfaces' mean, paths need
 /// no guidance.
-constexpr double dark = 0.2;
+constexpr double dark = 0.1;
 
 constexpr std::size_t vertices_of_a_cell = 2; ///< that are looked from
 constexpr std::size_t most_points = 32;       ///< that are looked at

@@ -198,9 +198,33 @@ void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
     sum.light += factor * m.light;
 }
 
+/// What the points looked at are held to, lx: their own values, but no less than the darkest
+/// share of the mean of those on their surface. @param values  lx, of the points
+std::vector<double> held_to(std::span<const std::size_t> points,
+                            std::span<const double> values,
+                            const PilotTarget& target) {
+    std::vector<double> held(values.begin(), values.end());
+    const auto surface_of = [&](std::size_t k) {
+        return std::upper_bound(target.ends.begin(), target.ends.end(), points[k])
+               - target.ends.begin();
+    };
+    for (std::size_t first = 0, last = 0; first < held.size(); first = last) {
+        double sum = 0.0;
+        for (; last < held.size() && surface_of(last) == surface_of(first); ++last)
+            sum += values[last];
+        const double mean = sum / static_cast<double>(last - first);
+        const double least =
+            std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
+        for (std::size_t k = first; k < last; ++k)
+            held[k] = std::max(held[k], least);
+    }
+    return held;
+}
+
 /// In shares of the variance the tolerance allows, then mean over the points of a class; what
 /// gather rays bring, over those that gather, if any do.
 Pilot summarise(std::span<const PointVariance> points,
+                std::span<const double> held,
                 std::span<const PointClass> classes,
                 std::span<const std::uint8_t> gathers,
                 const ByClass<std::size_t>& all_points,
@@ -221,17 +245,12 @@ Pilot summarise(std::span<const PointVariance> points,
         return static_cast<double>(all_points[c])
                / (static_cast<double>(pilot.points[c]) * count);
     };
-    double mean = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        mean += weight(i) * points[i].value;
-    const double floor =
-        std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto c = static_cast<std::size_t>(classes[i]);
         pilot.of_class[c].look_samples +=
             points[i].model.look_samples / static_cast<double>(pilot.points[c]);
         pilot.reflected[c] = std::min(pilot.reflected[c], points[i].reflected);
-        const double half = target.tolerance * std::max(points[i].value, floor);
+        const double half = target.tolerance * held[i];
         const double allowed = target.replicates * std::pow(half / target.factor, 2);
         if (!(allowed > 0.0))
             continue;
@@ -299,21 +318,18 @@ std::vector<ImportancePoint> values_of(const PilotScene& task,
                                        const PilotTarget& target) {
     const std::size_t replicates = looks.size() / points.size();
     std::vector<ImportancePoint> seen;
-    double mean = 0.0;
+    std::vector<double> values;
     for (std::size_t p = 0; p < points.size(); ++p) {
         double value = 0.0;
         for (std::size_t r = 0; r < replicates; ++r) {
             const Look& l = looks[r * points.size() + p];
             value += l.direct + 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
         }
-        value /= static_cast<double>(replicates);
-        mean += value / static_cast<double>(points.size());
-        seen.push_back({&task.receivers[points[p]], task.clear[points[p]], value});
+        values.push_back(value / static_cast<double>(replicates));
     }
-    const double floor =
-        std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
-    for (ImportancePoint& p : seen)
-        p.value = std::max(p.value, floor);
+    const std::vector<double> held = held_to(points, values, target);
+    for (std::size_t p = 0; p < points.size(); ++p)
+        seen.push_back({&task.receivers[points[p]], task.clear[points[p]], held[p]});
     return seen;
 }
 
@@ -349,6 +365,7 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
                 break;
         }
     std::vector<PointVariance> variances;
+    std::vector<double> values;
     std::vector<PointClass> classes;
     std::vector<std::uint8_t> gathers;
     std::vector<Look> own(replicates);
@@ -356,13 +373,15 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         for (std::size_t r = 0; r < replicates; ++r)
             own[r] = looks[r * points.size() + p];
         variances.push_back(judge(own));
+        values.push_back(variances.back().value);
         classes.push_back(task.classes[points[p]]);
-        gathers.push_back(task.gathers[points[p]]);
+        gathers.push_back(importance.is_even() ? task.gathers[points[p]] : 1);
     }
     ByClass<std::size_t> all_points{};
     for (const PointClass c : task.classes)
         ++all_points[static_cast<std::size_t>(c)];
-    Pilot pilot = summarise(variances, classes, gathers, all_points, target);
+    Pilot pilot = summarise(
+        variances, held_to(points, values, target), classes, gathers, all_points, target);
     pilot.vertices_per_path = means.vertices_per_path;
     pilot.chain_length = means.chain_length;
     pilot.importance = std::move(importance);

@@ -35,8 +35,9 @@ struct PilotTarget {
     double tolerance = 0.01;          ///< half width / value
     double factor = 2.0;              ///< half width / standard error at the first look
     double absolute_tolerance = 1e-4; ///< lx
-    double darkest_share = 0.02;      ///< of the mean; darker points are held to that
+    double darkest_share = 0.02; ///< of the mean of a surface; darker points are held to that
     double replicates = 16.0;
+    std::vector<std::size_t> ends; ///< of the surfaces among the receivers; none: all are one
 };
 
 /// Of each point: few points are looked at more often.
