@@ -29,27 +29,18 @@ std::vector<Estimate> values_of(const Results& results) {
     return values;
 }
 
-double floor_of(const std::vector<Estimate>& values) {
+double floor_of(std::span<const Estimate> values) {
     double sum = 0.0;
     for (const Estimate& e : values)
         sum += e.mean;
     return darkest_share * sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
-double stated_error(const std::vector<Estimate>& values) {
+double stated_error(std::span<const Estimate> values) {
     const double floor = floor_of(values);
     double sum = 0.0;
     for (const Estimate& e : values)
         sum += std::pow(e.standard_error / std::max(e.mean, floor), 2);
-    return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-double rms_error(const std::vector<Estimate>& values, const std::vector<Estimate>& reference) {
-    const double floor = floor_of(reference);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        sum += std::pow(
-            (values[i].mean - reference[i].mean) / std::max(reference[i].mean, floor), 2);
     return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
@@ -104,7 +95,7 @@ EstimatorBench measure_estimator(const Scene& scene,
     const std::size_t units = double_until(settings.seconds, [&](std::size_t n) {
         const Results r = run(scene, surfaces, estimator, n, settings.seed);
         bench.runs.push_back(
-            {n, r.cpu_seconds, rms_error(values_of(r), reference), rays_of(r)});
+            {n, r.cpu_seconds, rms_error_against(reference, values_of(r)), rays_of(r)});
         bench.description = r.estimator;
         return r.cpu_seconds;
     });
@@ -120,7 +111,7 @@ EstimatorBench measure_estimator(const Scene& scene,
         BenchRun again = bench.runs.back();
         if (s > 0) {
             const Results r = run(scene, surfaces, estimator, units, settings.seed + s);
-            again = {units, r.cpu_seconds, rms_error(values_of(r), reference), rays_of(r)};
+            again = {units, r.cpu_seconds, rms_error_against(reference, values_of(r)), rays_of(r)};
         }
         const double square = again.rms_error * again.rms_error;
         const double efficiency = 1.0 / (square * again.cpu_seconds);
@@ -171,6 +162,18 @@ double time_own_packets(const Scene& scene, std::span<const SightSegment> rays) 
 }
 
 } // namespace
+
+double rms_error_against(std::span<const Estimate> reference,
+                         std::span<const Estimate> values) {
+    ISOLUX_EXPECT(values.size() == reference.size() && !values.empty());
+    const double floor = floor_of(reference);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        sum += std::pow(
+            (values[i].mean - reference[i].mean) / std::max(reference[i].mean, floor), 2);
+    const double measured = sum / static_cast<double>(values.size());
+    return std::sqrt(std::max(measured - std::pow(stated_error(reference), 2), 0.25 * measured));
+}
 
 RoomBench measure_room(const std::string& name,
                        const Scene& scene,

@@ -31,9 +31,16 @@ struct BenchSettings {
 struct BenchRun {
     std::size_t units = 0;
     double cpu_seconds = 0.0;
-    double rms_error = 0.0; ///< relative, over the points, against the long run
+    double rms_error = 0.0; ///< rms_error_against() the long run
     double rays = 0.0;
 };
+
+/// Relative RMS error of some points' values, measured against those of an independent run whose
+/// own stated errors are taken out of it: the mean square difference has both. Half of what is
+/// measured is left at least. Points darker than 2 % of the mean count as that.
+/// @pre as many values as the reference has
+[[nodiscard]] double rms_error_against(std::span<const Estimate> reference,
+                                       std::span<const Estimate> values);
 
 /// How a time to an error was found.
 enum class TimeSource {
