@@ -1,7 +1,11 @@
 // METHODS 7.2 rows 15, 19, 21: the default estimator, plain local estimation and path tracing
 // from the points are independent implementations of one equation and must agree everywhere.
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -214,6 +218,41 @@ INSTANTIATE_TEST_SUITE_P(Rooms,
                                      c = '_';
                              return name;
                          });
+
+/// The number that follows some words.
+double number_after(const std::string& text, const std::string& words) {
+    const std::size_t at = text.find(words);
+    return at == std::string::npos ? -1.0 : std::stod(text.substr(at + words.size()));
+}
+
+/// METHODS eq. (140): a row of points at growing distances from a wall, and only that wall
+/// anywhere near.
+TEST(WhoGathers, FollowsFromTheDistanceTwiceAsFarToATolerance) {
+    Builder b;
+    const MaterialId grey = b.add_diffuse(0.5);
+    b.add_room({0, 0, 0}, {12, 10, 9}, grey, grey, grey);
+    b.add_panel({6, 5, 8.9}, {0, 1, 0}, {1, 0, 0}, 20000.0);
+    const Scene scene = b.build();
+    std::vector<CalculationSurface> surfaces(1);
+    for (int i = 1; i <= 60; ++i)
+        surfaces[0].receivers.push_back({{0.07 * i, 5.0, 0.8}, UnitVector3(Vector3{0, 0, 1})});
+    for (const bool is_fixed : {true, false}) {
+        Settings settings;
+        settings.tolerance = 0.02;
+        if (is_fixed)
+            settings.fixed_units = 1;
+        const std::string said = calculate(scene, surfaces, settings).estimator;
+        const double m = number_after(said, "light paths per replicate and unit: ");
+        ASSERT_GE(m, 256.0) << said;
+        const double reach =
+            std::min(4.0, (is_fixed ? 1.0 : 2.0) * std::sqrt(scene.total_area / m));
+        const auto expected = std::ranges::count_if(
+            surfaces[0].receivers, [&](const Receiver& r) { return r.point.x < reach; });
+        EXPECT_EQ(number_after(said, "that gather: "), static_cast<double>(expected)) << said;
+        EXPECT_GT(expected, 0);
+        EXPECT_LT(expected, 60);
+    }
+}
 
 } // namespace
 } // namespace isolux

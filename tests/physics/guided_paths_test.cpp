@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -162,6 +163,8 @@ TEST(GuidedPaths, ArePickedByWhatTheyCarry) {
 
 TEST(GuidedPaths, AreNotWantedWhereNoPointIsDark) {
     EXPECT_TRUE(Doorway().find(1000.0, 1000.0).is_even());
+    EXPECT_TRUE(Doorway().find(150.0, 1000.0).is_even());
+    EXPECT_FALSE(Doorway().find(60.0, 1000.0).is_even());
     EXPECT_FALSE(Doorway().find(10.0, 1000.0).is_even());
     EXPECT_FALSE(Doorway().find(1.0, 1.0).is_even()); // all of them darker than the surfaces
 }
@@ -188,6 +191,13 @@ TEST(GuidedPaths, EndInARoomThatReflectsEverything) {
     }
 }
 
+std::size_t points_of(const Results& r) {
+    std::size_t points = 0;
+    for (const SurfaceResult& s : r.surfaces)
+        points += s.points.size();
+    return points;
+}
+
 /// The engine with all that hangs on it, corners left to walks (122) too, against path tracing,
 /// which knows no light paths. Rooms in which paths are guided.
 TEST(GuidedPaths, GiveWhatPathTracingGives) {
@@ -202,6 +212,9 @@ TEST(GuidedPaths, GiveWhatPathTracingGives) {
             return calculate(scene, room.surfaces, settings, {});
         };
         const Results guided = run(Estimator::automatic, 8);
+        const std::string all = std::to_string(points_of(guided));
+        ASSERT_NE(guided.estimator.find("that gather: " + all), std::string::npos)
+            << name << ", is it guided? " << guided.estimator;
         const Results traced = run(Estimator::path_tracing, 64);
         double chi_squared = 0.0;
         double count = 0.0;

@@ -111,7 +111,8 @@ EstimatorBench measure_estimator(const Scene& scene,
         BenchRun again = bench.runs.back();
         if (s > 0) {
             const Results r = run(scene, surfaces, estimator, units, settings.seed + s);
-            again = {units, r.cpu_seconds, rms_error_against(reference, values_of(r)), rays_of(r)};
+            again = {
+                units, r.cpu_seconds, rms_error_against(reference, values_of(r)), rays_of(r)};
         }
         const double square = again.rms_error * again.rms_error;
         const double efficiency = 1.0 / (square * again.cpu_seconds);
@@ -172,7 +173,8 @@ double rms_error_against(std::span<const Estimate> reference,
         sum += std::pow(
             (values[i].mean - reference[i].mean) / std::max(reference[i].mean, floor), 2);
     const double measured = sum / static_cast<double>(values.size());
-    return std::sqrt(std::max(measured - std::pow(stated_error(reference), 2), 0.25 * measured));
+    return std::sqrt(
+        std::max(measured - std::pow(stated_error(reference), 2), 0.25 * measured));
 }
 
 RoomBench measure_room(const std::string& name,

@@ -35,9 +35,9 @@ struct BenchRun {
     double rays = 0.0;
 };
 
-/// Relative RMS error of some points' values, measured against those of an independent run whose
-/// own stated errors are taken out of it: the mean square difference has both. Half of what is
-/// measured is left at least. Points darker than 2 % of the mean count as that.
+/// Relative RMS error of some points' values, measured against those of an independent run
+/// whose own stated errors are taken out of it: the mean square difference has both. Half of
+/// what is measured is left at least. Points darker than 2 % of the mean of all count as that.
 /// @pre as many values as the reference has
 [[nodiscard]] double rms_error_against(std::span<const Estimate> reference,
                                        std::span<const Estimate> values);

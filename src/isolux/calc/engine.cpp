@@ -25,6 +25,10 @@ constexpr double close_to_class = 0.25;
 /// What could send a point light is sought no farther than this, m.
 constexpr double farthest_ahead = 4.0;
 
+/// ... and where there is nothing so near, it is as far as this, m: no light paths are so few
+/// that it would gather by METHODS eq. (140).
+constexpr float nowhere_near = 1e9F;
+
 /// Runs to a tolerance wait for the points that vary most, so there more points gather: twice
 /// as far from surfaces, METHODS eq. (140).
 constexpr double area_factor_to_tolerance = 4.0;
@@ -90,7 +94,7 @@ void Engine::find_surroundings() {
         const bool has_horizon = receiver.kind == IlluminanceKind::planar;
         const double ahead = scene_->caster.find_nearest_ahead(
             receiver.point, has_horizon ? &receiver.axis : nullptr, farthest);
-        ahead_[i] = static_cast<float>(ahead);
+        ahead_[i] = ahead < farthest ? static_cast<float>(ahead) : nowhere_near;
         classes_[i] = ahead < beside_class     ? PointClass::beside
                       : ahead < close_to_class ? PointClass::close
                       : ahead < widest_edge    ? PointClass::near

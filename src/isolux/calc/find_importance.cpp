@@ -11,8 +11,8 @@ namespace isolux {
 
 namespace {
 
-/// Where the darkest point has this share of the points' or of all surfaces' mean, paths need
-/// no guidance.
+/// Where the darkest point has more than this share of the points' and of all surfaces' mean,
+/// paths need no guidance.
 constexpr double dark = 0.1;
 
 constexpr std::size_t vertices_of_a_cell = 2; ///< that are looked from

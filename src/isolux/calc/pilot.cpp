@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "isolux/base/parallel.h"
 #include "isolux/calc/find_importance.h"
@@ -198,11 +199,17 @@ void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
     sum.light += factor * m.light;
 }
 
+/// So many points of a surface tell its mean.
+constexpr std::size_t enough_for_a_mean = 4;
+
 /// What the points looked at are held to, lx: their own values, but no less than the darkest
-/// share of the mean of those on their surface. @param values  lx, of the points
+/// share of the mean of those on their surface, or, where these are too few, of the mean of
+/// all. @param values  lx, of the points
 std::vector<double> held_to(std::span<const std::size_t> points,
                             std::span<const double> values,
                             const PilotTarget& target) {
+    const double mean_of_all = std::accumulate(values.begin(), values.end(), 0.0)
+                               / static_cast<double>(std::max<std::size_t>(1, values.size()));
     std::vector<double> held(values.begin(), values.end());
     const auto surface_of = [&](std::size_t k) {
         return std::upper_bound(target.ends.begin(), target.ends.end(), points[k])
@@ -212,7 +219,9 @@ std::vector<double> held_to(std::span<const std::size_t> points,
         double sum = 0.0;
         for (; last < held.size() && surface_of(last) == surface_of(first); ++last)
             sum += values[last];
-        const double mean = sum / static_cast<double>(last - first);
+        const std::size_t count = last - first;
+        const double mean =
+            count < enough_for_a_mean ? mean_of_all : sum / static_cast<double>(count);
         const double least =
             std::max(target.darkest_share * mean, target.absolute_tolerance / target.tolerance);
         for (std::size_t k = first; k < last; ++k)
@@ -329,7 +338,8 @@ std::vector<ImportancePoint> values_of(const PilotScene& task,
     }
     const std::vector<double> held = held_to(points, values, target);
     for (std::size_t p = 0; p < points.size(); ++p)
-        seen.push_back({&task.receivers[points[p]], task.clear[points[p]], held[p]});
+        if (held[p] > 0.0)
+            seen.push_back({&task.receivers[points[p]], task.clear[points[p]], held[p]});
     return seen;
 }
 
