@@ -179,7 +179,8 @@ private:
     double first_unit_cost_ = 0.0;     ///< all points and replicates, ns
     std::vector<std::uint32_t> samples_; ///< of a traced point, per replicate and unit
     std::vector<PointClass> classes_;
-    std::vector<float> ahead_;  ///< to the nearest that could send it light, m; 1e9 beyond 4
+    std::vector<float>
+        ahead_; ///< to the nearest that could send it light, m; 1e9: none is near
     std::vector<float> second_; ///< distance to the second nearest surface, m; up to 0.5
     std::vector<std::uint8_t> near_surface_;
     StudyEstimators study_;

@@ -225,7 +225,8 @@ For each room: CPU seconds (scene built) to 2, 1, 0.5 and 0.2 % RMS error over t
 an independent long run, less what that states of its own error; efficiency = 1/(mean square
 error x CPU seconds) with its spread over seeds; rays a second, and shadow rays beside the bare
 ray tracer's on the same rays, which searches all triangles, outer walls too. Then cost against
-the number of points and of luminaires. "~" is extrapolated from the longest run, "<=" reached by the shortest.
+the number of points and of luminaires. "~" is extrapolated from the longest run, "<=" reached
+by the shortest.
 
 Without PROJECT the program's own rooms are measured; that takes some minutes.
 

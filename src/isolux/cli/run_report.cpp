@@ -68,8 +68,10 @@ std::string to_summary_table(const Results& results) {
                                  ? ""
                                  : std::string(quantity_name(s.surface.kind));
         if (const auto flagged = std::ranges::count_if(s.points, is_flagged); flagged > 0)
-            remark +=
-                fmt::format("{}* {} error bars flagged", remark.empty() ? "" : ", ", flagged);
+            remark += fmt::format("{}* {} error bar{} flagged",
+                                  remark.empty() ? "" : ", ",
+                                  flagged,
+                                  flagged == 1 ? "" : "s");
         if (!s.converged)
             remark += remark.empty() ? "not converged" : ", not converged";
         std::vector<std::string> cells{s.surface.name, fmt::format("{}", s.points.size())};

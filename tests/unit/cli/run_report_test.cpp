@@ -84,6 +84,7 @@ TEST(SummaryTable, MarksFlaggedErrorBarsWithAnAsterisk) {
     Results results;
     results.surfaces.push_back(make_surface("desk", true));
     results.surfaces.back().points[3].heavy_tail = true;
+    EXPECT_NE(to_summary_table(results).find("  * 1 error bar flagged\n"), std::string::npos);
     results.surfaces.back().points[4].near_surface = true;
     EXPECT_NE(to_summary_table(results).find("  * 2 error bars flagged\n"), std::string::npos);
 }
