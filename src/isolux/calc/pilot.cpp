@@ -39,6 +39,10 @@ struct Look {
     double traced = 0.0;
     double direct = 0.0;
     double look_samples = 0.0; ///< that it took
+
+    [[nodiscard]] double indirect() const noexcept {
+        return 0.5 * (local[0] + local[1] + gathered[0] + gathered[1]);
+    }
 };
 
 /// Rounds of walking and looking, where paths need guidance: each sees farther into the dark.
@@ -153,31 +157,28 @@ believed_variance(std::span<const double> traced, double other, double missing) 
 /// The five coefficients of one point, lx2.
 struct PointVariance {
     VarianceModel model;
-    double value = 0.0;
-    double reflected = 0.0; ///< of it
+    double reflected = 0.0; ///< lx
 };
 
 PointVariance judge(std::span<const Look> looks) {
     const std::size_t count = looks.size();
     std::vector<double> indirect(count), traced(count), direct(count);
-    double inside_local = 0.0, inside_gathered = 0.0, value = 0.0, missing = 0.0;
+    double inside_local = 0.0, inside_gathered = 0.0, missing = 0.0;
     double cached = 0.0, reflected = 0.0;
     const auto n = static_cast<double>(count);
     for (std::size_t r = 0; r < count; ++r) {
         const Look& l = looks[r];
-        indirect[r] = 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
+        indirect[r] = l.indirect();
         traced[r] = l.traced;
         missing += indirect[r] - traced[r];
         direct[r] = l.direct;
         inside_local += half_square(l.local) / n;
         inside_gathered += half_square(l.gathered) / n;
-        value += (direct[r] + indirect[r]) / n;
         reflected += indirect[r] / n;
         cached += 0.5 * (l.local[0] + l.local[1]) / n;
     }
     PointVariance v;
     v.model.light = cached * cached;
-    v.value = value;
     v.reflected = reflected;
     v.model.draws = static_cast<double>(draws) * inside_local;
     v.model.directions = static_cast<double>(directions) * inside_gathered;
@@ -197,6 +198,17 @@ void add(VarianceModel& sum, const VarianceModel& m, double factor) noexcept {
     sum.samples += factor * m.samples;
     sum.direct += factor * m.direct;
     sum.light += factor * m.light;
+}
+
+/// Illuminance of the points looked at, lx. @param looks  [replicate][point]
+std::vector<double> values_of(std::span<const Look> looks, std::size_t points) {
+    const auto replicates = static_cast<double>(looks.size() / points);
+    std::vector<double> values(points, 0.0);
+    for (std::size_t k = 0; k < looks.size(); ++k)
+        values[k % points] += looks[k].direct + looks[k].indirect();
+    for (double& v : values)
+        v /= replicates;
+    return values;
 }
 
 /// So many points of a surface tell its mean.
@@ -320,29 +332,6 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
     return caches;
 }
 
-/// The points looked at with what they saw, held to what the tolerance holds them to.
-std::vector<ImportancePoint> values_of(const PilotScene& task,
-                                       std::span<const std::size_t> points,
-                                       std::span<const Look> looks,
-                                       const PilotTarget& target) {
-    const std::size_t replicates = looks.size() / points.size();
-    std::vector<ImportancePoint> seen;
-    std::vector<double> values;
-    for (std::size_t p = 0; p < points.size(); ++p) {
-        double value = 0.0;
-        for (std::size_t r = 0; r < replicates; ++r) {
-            const Look& l = looks[r * points.size() + p];
-            value += l.direct + 0.5 * (l.local[0] + l.local[1] + l.gathered[0] + l.gathered[1]);
-        }
-        values.push_back(value / static_cast<double>(replicates));
-    }
-    const std::vector<double> held = held_to(points, values, target);
-    for (std::size_t p = 0; p < points.size(); ++p)
-        if (held[p] > 0.0)
-            seen.push_back({&task.receivers[points[p]], task.clear[points[p]], held[p]});
-    return seen;
-}
-
 } // namespace
 
 Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
@@ -369,13 +358,18 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
                 walk_and_look(task, points, importance, means, looks);
             if (round + 1 == most_rounds)
                 break;
-            importance =
-                find_importance(*task.scene, caches, values_of(task, points, looks, target));
+            const std::vector<double> held =
+                held_to(points, values_of(looks, points.size()), target);
+            std::vector<ImportancePoint> seen;
+            for (std::size_t p = 0; p < points.size(); ++p)
+                if (held[p] > 0.0)
+                    seen.push_back(
+                        {&task.receivers[points[p]], task.clear[points[p]], held[p]});
+            importance = find_importance(*task.scene, caches, seen);
             if (importance.is_even())
                 break;
         }
     std::vector<PointVariance> variances;
-    std::vector<double> values;
     std::vector<PointClass> classes;
     std::vector<std::uint8_t> gathers;
     std::vector<Look> own(replicates);
@@ -383,15 +377,18 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
         for (std::size_t r = 0; r < replicates; ++r)
             own[r] = looks[r * points.size() + p];
         variances.push_back(judge(own));
-        values.push_back(variances.back().value);
         classes.push_back(task.classes[points[p]]);
         gathers.push_back(importance.is_even() ? task.gathers[points[p]] : 1);
     }
     ByClass<std::size_t> all_points{};
     for (const PointClass c : task.classes)
         ++all_points[static_cast<std::size_t>(c)];
-    Pilot pilot = summarise(
-        variances, held_to(points, values, target), classes, gathers, all_points, target);
+    Pilot pilot = summarise(variances,
+                            held_to(points, values_of(looks, points.size()), target),
+                            classes,
+                            gathers,
+                            all_points,
+                            target);
     pilot.vertices_per_path = means.vertices_per_path;
     pilot.chain_length = means.chain_length;
     pilot.importance = std::move(importance);
