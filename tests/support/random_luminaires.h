@@ -85,6 +85,19 @@ inline void add_random_luminaire(Builder& b, NormalDraws& random, double half_si
     b.luminaires.push_back(l);
 }
 
+/// A small black triangle far below: scenes want something to hit.
+inline void add_speck(Builder& b) {
+    b.add_triangle({0, 0, -900}, {1, 0, -900}, {0, 1, -900}, b.add_diffuse(0.0));
+}
+
+inline Scene random_scene(NormalDraws& random, std::size_t luminaires, double half_side) {
+    Builder b;
+    add_speck(b);
+    for (std::size_t i = 0; i < luminaires; ++i)
+        add_random_luminaire(b, random, half_side);
+    return b.build();
+}
+
 inline Receiver random_receiver(NormalDraws& random, double half_side) {
     Receiver r;
     r.point = random_point(random, half_side);

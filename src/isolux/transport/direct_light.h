@@ -13,6 +13,7 @@
 namespace isolux {
 
 class OpeningLight;
+struct LightBounds;
 
 /// What of one receiver's direct light is known once and for all, and what has to be sampled in
 /// every unit of work.
@@ -112,19 +113,29 @@ public:
 private:
     struct Task;
 
+    /// A luminaire that is looked at by itself.
+    struct Chosen {
+        std::uint32_t luminaire = 0;
+        bool is_clear = false; ///< nothing hides any of it; false: not known
+    };
+
     [[nodiscard]] bool is_point_like(std::size_t luminaire, const Point3& at) const noexcept;
     [[nodiscard]] bool is_wholly_visible(std::size_t luminaire, const Point3& clear) const;
-    [[nodiscard]] std::vector<std::uint32_t> choose(const Receiver& receiver,
-                                                    DirectPlan& plan) const;
+    [[nodiscard]] bool is_wholly_visible(const LightBounds& bounds, const Point3& clear) const;
+    [[nodiscard]] std::vector<Chosen> choose(const Task& task, DirectPlan& plan) const;
     void plan_points(const Task& task,
                      std::span<const std::uint32_t> luminaires,
                      DirectPlan& plan,
                      std::uint64_t& rays) const;
     void plan_opening(const Task& task,
-                      std::uint32_t luminaire,
+                      const Chosen& chosen,
                       DirectPlan& plan,
+                      std::vector<double>& doubts,
                       std::uint64_t& rays) const;
-    void know_openings(const Task& task, DirectPlan& plan) const;
+    void
+    know_openings(const Task& task, std::span<const double> doubts, DirectPlan& plan) const;
+    [[nodiscard]] double
+    know_opening(const Task& task, std::uint32_t luminaire, double negligible) const;
     void plan_images(const Task& task, DirectPlan& plan, std::uint64_t& rays) const;
     void add_opening(const Task& task,
                      const DirectPlan::Opening& opening,

@@ -22,6 +22,11 @@ constexpr double point_like_ratio = 40.0;
 /// once for each by itself and once for all of them together: METHODS eq. (134).
 constexpr double rule_error = 1e-4;
 
+/// Of so many openings a rough value will do, if its last rule changed it by no more than so
+/// many times what it may be wrong by: two rules may agree by chance, but not those of many.
+constexpr double many_openings = 16.0;
+constexpr double believed_doubt = 4.0;
+
 /// More than any light: a rough value will do.
 constexpr double anything = std::numeric_limits<double>::infinity();
 
@@ -31,6 +36,14 @@ constexpr double unseen = 0.03;
 /// Luminaires whose bound is below this share of the sum of the others' are drawn, not looked
 /// at one by one.
 constexpr double negligible = 1e-4;
+
+/// Parts of the light tree with no more luminaires than this, and no larger than this share of
+/// the distance, are taken whole.
+constexpr double most_alike = 8.0;
+constexpr double alike_size = 0.5;
+
+/// Thickness of openings in one plane, m.
+constexpr double flat = 1e-9;
 
 /// Draws from the tail, more where it may matter.
 constexpr double draws_per_share = 256.0;
@@ -61,24 +74,54 @@ bool DirectLight::is_exact(const DirectPlan& plan) const noexcept {
     return plan.openings.empty() && plan.tail.empty() && !samples_images_;
 }
 
+/// Whether nothing hides any luminaire of a part of the light tree: looked for where all of
+/// their openings lie in one plane.
+bool DirectLight::is_wholly_visible(const LightBounds& b, const Point3& clear) const {
+    const Vector3 side = b.upper - b.lower;
+    const double thin = std::min({side.x, side.y, side.z});
+    if (!(thin < flat))
+        return false;
+    const Vector3 half = 0.5 * side;
+    const Point3 middle = midpoint(b.lower, b.upper);
+    const auto [along, across, normal] = [&]() -> std::array<Vector3, 3> {
+        if (thin == side.z)
+            return {Vector3{half.x, 0, 0}, Vector3{0, half.y, 0}, Vector3{0, 0, 1}};
+        if (thin == side.y)
+            return {Vector3{half.x, 0, 0}, Vector3{0, 0, half.z}, Vector3{0, 1, 0}};
+        return {Vector3{0, half.y, 0}, Vector3{0, 0, half.z}, Vector3{1, 0, 0}};
+    }();
+    const Vector3 free_side = dot(normal, clear - middle) > 0.0 ? normal : -normal;
+    std::array<Point3, 4> corners{middle - along - across,
+                                  middle + along - across,
+                                  middle + along + across,
+                                  middle - along + across};
+    for (Point3& p : corners)
+        p = scene_->caster.offset_point(p, free_side);
+    return view_.is_clear(clear, corners);
+}
+
 /// Luminaires that are looked at one by one; the others go to the plan's tail. The brightest
-/// parts of the light tree are split until what is left is negligible.
-std::vector<std::uint32_t> DirectLight::choose(const Receiver& receiver,
-                                               DirectPlan& plan) const {
-    std::vector<std::uint32_t> chosen;
+/// parts of the light tree are split until what is left is negligible, or so small and far that
+/// its members are all alike.
+std::vector<DirectLight::Chosen> DirectLight::choose(const Task& task, DirectPlan& plan) const {
+    std::vector<Chosen> chosen;
     const LightTree* tree = emission_->tree();
     if (tree == nullptr) {
         for (std::uint32_t l = 0; l < emission_->luminaires(); ++l)
             if (in_lumen(emission_->luminaire(l).flux) > 0.0)
-                chosen.push_back(l);
+                chosen.push_back({l, false});
         return chosen;
     }
     const auto nodes = tree->nodes();
     std::priority_queue<std::pair<double, std::uint32_t>> waiting;
     const auto add = [&](std::uint32_t node) {
-        const double bound = upper_bound(nodes[node].bounds, receiver);
+        const double bound = upper_bound(nodes[node].bounds, task.receiver);
         if (bound > 0.0)
             waiting.emplace(bound, node);
+    };
+    const auto is_small = [&](const LightBounds& b) {
+        const double away = distance(task.clear, midpoint(b.lower, b.upper));
+        return b.count <= most_alike && distance(b.lower, b.upper) <= alike_size * away;
     };
     if (!nodes.empty())
         add(0);
@@ -86,8 +129,11 @@ std::vector<std::uint32_t> DirectLight::choose(const Receiver& receiver,
     while (!waiting.empty() && waiting.top().first > negligible * sum) {
         const auto [bound, node] = waiting.top();
         waiting.pop();
-        if (nodes[node].is_leaf()) {
-            chosen.push_back(nodes[node].luminaire);
+        if (nodes[node].is_leaf() || is_small(nodes[node].bounds)) {
+            const bool is_clear =
+                !nodes[node].is_leaf() && is_wholly_visible(nodes[node].bounds, task.clear);
+            for (const std::uint32_t l : tree->luminaires_below(node))
+                chosen.push_back({l, is_clear});
             sum += bound;
         } else {
             add(nodes[node].left);
@@ -101,7 +147,6 @@ std::vector<std::uint32_t> DirectLight::choose(const Receiver& receiver,
     if (!plan.tail.empty())
         plan.tail_draws = static_cast<std::uint32_t>(std::clamp(
             draws_per_share * plan.tail_bound / (plan.tail_bound + sum), 1.0, most_draws));
-    std::ranges::sort(chosen);
     return chosen;
 }
 
@@ -124,16 +169,17 @@ DirectPlan DirectLight::plan(const Receiver& receiver,
                     0.0,
                     keeps_terms};
     std::vector<std::uint32_t> points;
-    for (const std::uint32_t l : choose(receiver, plan)) {
-        if (is_point_like(l, task.clear))
-            points.push_back(l);
+    std::vector<double> doubts; // of the openings' rough values, lx
+    for (const Chosen& c : choose(task, plan)) {
+        if (is_point_like(c.luminaire, task.clear))
+            points.push_back(c.luminaire);
         else
-            plan_opening(task, l, plan, rays);
+            plan_opening(task, c, plan, doubts, rays);
     }
     plan_points(task, points, plan, rays);
     plan_images(task, plan, rays);
     plan.seen += luminance_sum(plan.known);
-    know_openings(task, plan);
+    know_openings(task, doubts, plan);
     // Plans stay for the whole calculation, one for every receiver.
     plan.openings.shrink_to_fit();
     plan.terms.shrink_to_fit();
@@ -211,15 +257,18 @@ bool DirectLight::is_wholly_visible(std::size_t luminaire, const Point3& clear) 
 /// What is seen of an opening. Its light without shadows is a rough value; know_openings()
 /// needs it to tell what is worth knowing better.
 void DirectLight::plan_opening(const Task& task,
-                               std::uint32_t luminaire,
+                               const Chosen& chosen,
                                DirectPlan& plan,
+                               std::vector<double>& doubts,
                                std::uint64_t& rays) const {
+    const std::uint32_t luminaire = chosen.luminaire;
     const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, luminaire);
-    const std::optional<double> rough = light.unshadowed(anything);
-    if (rough && *rough <= 0.0)
+    const std::optional<RuleValue> rough = light.unshadowed(anything);
+    if (rough && rough->value <= 0.0)
         return;
-    DirectPlan::Opening opening{luminaire, 1.0F, 0.0F, false, rough.value_or(0.0)};
-    opening.is_clear = is_wholly_visible(luminaire, task.clear);
+    doubts.push_back(rough ? rough->doubt : anything);
+    DirectPlan::Opening opening{luminaire, 1.0F, 0.0F, false, rough ? rough->value : 0.0};
+    opening.is_clear = chosen.is_clear || is_wholly_visible(luminaire, task.clear);
     if (!opening.is_clear || !rough) {
         // Pilot: a rough value where the rules have none, and which share of the opening is
         // visible. It only steers.
@@ -260,7 +309,9 @@ void DirectLight::plan_opening(const Task& task,
 
 /// Takes the openings' light without shadows as well as it matters beside all of it, METHODS
 /// eq. (134); what is then known without a ray leaves the openings.
-void DirectLight::know_openings(const Task& task, DirectPlan& plan) const {
+void DirectLight::know_openings(const Task& task,
+                                std::span<const double> doubts,
+                                DirectPlan& plan) const {
     double total = 0.0;
     double count = 0.0;
     for (const DirectPlan::Opening& o : plan.openings)
@@ -268,22 +319,32 @@ void DirectLight::know_openings(const Task& task, DirectPlan& plan) const {
             total += static_cast<double>(o.visible_share) * o.unshadowed;
             count += 1.0;
         }
+    std::size_t next = 0;
     std::erase_if(plan.openings, [&](DirectPlan::Opening& o) {
+        const double doubt = doubts[next++];
         const double rough = std::exchange(o.unshadowed, -1.0);
         const auto beta = static_cast<double>(o.visible_share);
         o.spread = static_cast<float>(rough * std::sqrt(std::max(beta * (1.0 - beta), unseen)));
         plan.seen += beta * rough;
         if (beta <= 0.0)
             return false; // nothing is taken of it
-        const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, o.luminaire);
-        const std::optional<double> known =
-            light.unshadowed(rule_error * (rough + total / count));
-        o.unshadowed = known.value_or(-1.0);
-        if (!o.is_clear || !known)
+        const double negligible = rule_error * (rough + total / count);
+        o.unshadowed = count >= many_openings && doubt <= believed_doubt * negligible
+                           ? rough
+                           : know_opening(task, o.luminaire, negligible);
+        if (!o.is_clear || o.unshadowed < 0.0)
             return false;
-        task.keep(plan, o.luminaire, *known * emission_->colour(o.luminaire));
+        task.keep(plan, o.luminaire, o.unshadowed * emission_->colour(o.luminaire));
         return true;
     });
+}
+
+/// The opening's light without shadows, lx; below 0 where it is not known.
+double
+DirectLight::know_opening(const Task& task, std::uint32_t luminaire, double negligible) const {
+    const OpeningLight light(*scene_, *emission_, task.receiver, task.clear, luminaire);
+    const std::optional<RuleValue> known = light.unshadowed(negligible);
+    return known ? known->value : -1.0;
 }
 
 void DirectLight::plan_images(const Task& task, DirectPlan& plan, std::uint64_t& rays) const {

@@ -50,7 +50,7 @@ double facet_weight(const Facet& f, const Point3& place) noexcept {
 
 } // namespace
 
-Emission::Emission(const Scene& scene) : scene_(&scene) {
+Emission::Emission(const Scene& scene) : scene_(&scene), lights_(scene) {
     std::vector<std::optional<std::size_t>> table_of_type(scene.luminaire_types.size());
     tables_.reserve(scene.luminaire_types.size());
     for (std::size_t t = 0; t < scene.luminaire_types.size(); ++t) {
@@ -60,9 +60,6 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
         table_of_type[t] = tables_.size();
         tables_.emplace_back(file->distribution);
     }
-    std::vector<TypeLight> types;
-    for (const LuminaireType& type : scene.luminaire_types)
-        types.push_back(describe_type(type));
     std::vector<double> cumulative_flux;
     for (const Luminaire& l : scene.luminaires) {
         Source s;
@@ -77,18 +74,12 @@ Emission::Emission(const Scene& scene) : scene_(&scene) {
                 s.reach_squared = std::max(s.reach_squared,
                                            slack * length_squared(p - s.centre) + slack - 1.0);
         }
-        if (scene.luminaires.size() <= LuminairePick::most)
-            few_.add(bound_luminaire(l, types[l.placement.type.index()]),
-                     s.centre,
-                     l.opening.largest_dimension);
         total_flux_ += s.flux;
         cumulative_flux.push_back(total_flux_);
         sources_.push_back(s);
     }
     if (total_flux_ > 0.0)
         by_flux_ = CumulativeTable(std::move(cumulative_flux));
-    if (sources_.size() > LuminairePick::most)
-        tree_.emplace(scene);
 }
 
 EmissionPoint Emission::place_on_solid(std::size_t luminaire,
@@ -225,8 +216,7 @@ TowardsSample Emission::sample_towards(const Point3& place,
                                        double u_luminaire,
                                        double u,
                                        double v) const noexcept {
-    const LightTree::Pick pick =
-        tree_ ? tree_->pick(place, u_luminaire) : few_.pick(place, u_luminaire);
+    const LightTree::Pick pick = lights_.pick(place, u_luminaire);
     if (!(pick.probability > 0.0))
         return {};
     const OpeningView opening = view(pick.luminaire, place);
@@ -235,9 +225,7 @@ TowardsSample Emission::sample_towards(const Point3& place,
 }
 
 double Emission::pdf_towards(const Point3& place, const EmissionPoint& from) const noexcept {
-    const double pick = tree_ ? tree_->probability(place, from.luminaire)
-                              : few_.probability(place, from.luminaire);
-    return pick * view(from.luminaire, place).pdf(from);
+    return lights_.probability(place, from.luminaire) * view(from.luminaire, place).pdf(from);
 }
 
 double Emission::evaluate(const EmissionPoint& from, const UnitVector3& w) const noexcept {

@@ -6,8 +6,7 @@
 
 #include "isolux/sampling/warp.h"
 #include "isolux/scene/scene.h"
-#include "isolux/transport/light_tree.h"
-#include "isolux/transport/luminaire_pick.h"
+#include "isolux/transport/light_grid.h"
 #include "isolux/transport/table_sampler.h"
 
 namespace isolux {
@@ -98,11 +97,13 @@ public:
     }
 
     /// The luminaires' light tree, where they are many; else null.
-    [[nodiscard]] const LightTree* tree() const noexcept { return tree_ ? &*tree_ : nullptr; }
+    [[nodiscard]] const LightTree* tree() const noexcept {
+        return luminaires() > LuminairePick::most ? &lights_.tree() : nullptr;
+    }
 
     /// A point on some luminaire for the light that falls on `place`. Luminaires are picked by
-    /// their intensity towards it over squared distance where they are few, by the light tree
-    /// where they are many.
+    /// their intensity towards it over squared distance where they are few, in groups, too,
+    /// groups where they are many.
     [[nodiscard]] TowardsSample
     sample_towards(const Point3& place, double u_luminaire, double u, double v) const noexcept;
 
@@ -160,8 +161,7 @@ private:
     std::vector<Source> sources_;
     CumulativeTable by_flux_;
     double total_flux_ = 0.0;
-    LuminairePick few_;
-    std::optional<LightTree> tree_; ///< where luminaires are many
+    LightGrid lights_;
 };
 
 } // namespace isolux

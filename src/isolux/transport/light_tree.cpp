@@ -12,7 +12,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t bins = 12;
-constexpr std::uint32_t no_node = 0xffffffffU;
 
 /// A unit vector at `angle` from `a` in the plane of a and b.
 UnitVector3 turned_towards(const Vector3& a, const Vector3& b, double angle) noexcept {
@@ -73,12 +72,11 @@ double cone_measure(double spread, double reach) noexcept {
            + 0.5 * pi * (2.0 * w * s - std::cos(spread - 2.0 * w) - 2.0 * spread * s + c);
 }
 
-/// Flux times surface of the box times cone: what it costs to look into a node.
+/// Flux times squared size times cone: what it costs to look into a node. (The surface of the
+/// box would make lines of luminaires in a plane look small, however long they are.)
 double measure(const LightBounds& b) noexcept {
-    const Vector3 d = b.upper - b.lower;
-    const double area = 2.0 * (d.x * d.y + d.y * d.z + d.z * d.x);
-    // Lines and single points of lights have no area; their length then decides.
-    return b.flux * (area + 1e-6 * length_squared(d) + 1e-12) * cone_measure(b.spread, b.reach);
+    return b.flux * (length_squared(b.upper - b.lower) + 1e-12)
+           * cone_measure(b.spread, b.reach);
 }
 
 double along(const Vector3& v, std::size_t axis) noexcept {
@@ -97,7 +95,7 @@ LightTree::LightTree(const Scene& scene) {
     std::vector<TypeLight> types;
     for (const LuminaireType& type : scene.luminaire_types)
         types.push_back(describe_type(type));
-    std::vector<std::uint32_t> members;
+    std::vector<std::uint32_t>& members = luminaires_;
     for (std::size_t l = 0; l < scene.luminaires.size(); ++l) {
         const Luminaire& luminaire = scene.luminaires[l];
         leaves_.push_back(bound_luminaire(luminaire, types[luminaire.placement.type.index()]));
@@ -108,7 +106,7 @@ LightTree::LightTree(const Scene& scene) {
         return;
     nodes_.reserve(2 * members.size());
     nodes_.emplace_back();
-    build(0, members);
+    build(0, members, 0);
     leaves_ = {};
     glows_.reserve(nodes_.size());
     for (const Node& node : nodes_)
@@ -170,7 +168,10 @@ std::size_t LightTree::split(std::span<std::uint32_t> members) const {
     return left == 0 || left == members.size() ? members.size() / 2 : left;
 }
 
-void LightTree::build(std::uint32_t node, std::span<std::uint32_t> members) {
+void LightTree::build(std::uint32_t node,
+                      std::span<std::uint32_t> members,
+                      std::uint32_t first_leaf) {
+    nodes_[node].first_leaf = first_leaf;
     if (members.size() == 1) {
         nodes_[node].bounds = leaves_[members[0]];
         nodes_[node].luminaire = members[0];
@@ -183,8 +184,8 @@ void LightTree::build(std::uint32_t node, std::span<std::uint32_t> members) {
     nodes_[node].left = children;
     nodes_[children].parent = node;
     nodes_[children + 1].parent = node;
-    build(children, members.first(left));
-    build(children + 1, members.subspan(left));
+    build(children, members.first(left), first_leaf);
+    build(children + 1, members.subspan(left), first_leaf + static_cast<std::uint32_t>(left));
     nodes_[node].bounds = unite(nodes_[children].bounds, nodes_[children + 1].bounds);
 }
 
@@ -225,32 +226,25 @@ LightTree::pick(std::uint32_t node, const Receiver& receiver, double u) const no
     });
 }
 
-LightTree::Pick LightTree::pick(const Point3& place, double u) const noexcept {
-    if (nodes_.empty())
-        return {};
-    Pick p = descend(nodes_, 0, u, [&](std::uint32_t n) {
+LightTree::Pick
+LightTree::pick(std::uint32_t node, const Point3& place, double u) const noexcept {
+    return descend(nodes_, node, u, [&](std::uint32_t n) {
         return static_cast<double>(importance(glows_[n], place));
     });
-    // A tree of one leaf is never weighed on the way.
-    if (nodes_.size() == 1 && !(importance(glows_[0], place) > 0.0F))
-        p.probability = 0.0;
-    return p;
 }
 
-double LightTree::probability(const Point3& place, std::size_t luminaire) const noexcept {
-    std::uint32_t node = leaf_of_[luminaire];
-    if (node == no_node)
-        return 0.0;
+double LightTree::probability(std::uint32_t node,
+                              const Point3& place,
+                              std::size_t luminaire) const noexcept {
     double probability = 1.0;
-    while (node != 0) {
-        const std::uint32_t left = nodes_[nodes_[node].parent].left;
+    for (std::uint32_t n = leaf_of_[luminaire]; n != node; n = nodes_[n].parent) {
+        const std::uint32_t left = nodes_[nodes_[n].parent].left;
         const auto a = static_cast<double>(importance(glows_[left], place));
         const auto b = static_cast<double>(importance(glows_[left + 1], place));
-        const double own = node == left ? a : b;
+        const double own = n == left ? a : b;
         if (!(own > 0.0))
             return 0.0;
         probability *= own / (a + b);
-        node = nodes_[node].parent;
     }
     return probability;
 }

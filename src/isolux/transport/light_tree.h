@@ -70,7 +70,8 @@ public:
         LightBounds bounds;
         std::uint32_t left = 0; ///< the right child is left + 1; 0: a leaf
         std::uint32_t parent = 0;
-        std::uint32_t luminaire = 0; ///< of a leaf
+        std::uint32_t luminaire = 0;  ///< of a leaf
+        std::uint32_t first_leaf = 0; ///< leaves before those below it
 
         [[nodiscard]] bool is_leaf() const noexcept { return left == 0; }
     };
@@ -83,25 +84,43 @@ public:
     /// Root first. Empty without luminaires that shine.
     [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
 
+    /// Those of a node.
+    [[nodiscard]] std::span<const std::uint32_t>
+    luminaires_below(std::uint32_t node) const noexcept {
+        return std::span(luminaires_)
+            .subspan(nodes_[node].first_leaf,
+                     static_cast<std::size_t>(nodes_[node].bounds.count));
+    }
+
     /// A luminaire below `node`, drawn with one number in [0, 1): at every fork in proportion
     /// to the bounds.
     [[nodiscard]] Pick
     pick(std::uint32_t node, const Receiver& receiver, double u) const noexcept;
 
-    /// The same from the root, for a place whose orientation does not count.
-    [[nodiscard]] Pick pick(const Point3& place, double u) const noexcept;
+    /// The same for a place whose orientation does not count.
+    [[nodiscard]] Pick pick(std::uint32_t node, const Point3& place, double u) const noexcept;
 
-    /// Probability with which pick(place, u) draws a luminaire.
-    [[nodiscard]] double probability(const Point3& place, std::size_t luminaire) const noexcept;
+    /// Probability with which pick(node, place, u) draws a luminaire. @pre  it is below the
+    /// node
+    [[nodiscard]] double
+    probability(std::uint32_t node, const Point3& place, std::size_t luminaire) const noexcept;
+
+    static constexpr std::uint32_t no_node = 0xffffffffU;
+
+    /// Node of a luminaire; no_node: it does not shine.
+    [[nodiscard]] std::uint32_t leaf_of(std::size_t luminaire) const noexcept {
+        return leaf_of_[luminaire];
+    }
 
 private:
-    void build(std::uint32_t node, std::span<std::uint32_t> members);
+    void build(std::uint32_t node, std::span<std::uint32_t> members, std::uint32_t first_leaf);
     [[nodiscard]] std::size_t split(std::span<std::uint32_t> members) const;
 
     std::vector<LightBounds> leaves_; ///< only while the tree is built
     std::vector<Node> nodes_;
-    std::vector<LightGlow> glows_;       ///< of the nodes
-    std::vector<std::uint32_t> leaf_of_; ///< node of every luminaire; 0xffffffff: shines not
+    std::vector<LightGlow> glows_; ///< of the nodes
+    std::vector<std::uint32_t> leaf_of_;
+    std::vector<std::uint32_t> luminaires_; ///< in the order of the leaves
 };
 
 } // namespace isolux

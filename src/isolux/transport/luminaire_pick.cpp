@@ -20,29 +20,30 @@ constexpr double least_share = 0.1;
 /// m2, so that no luminaire counts endlessly.
 constexpr double least_spread = 1e-4;
 
-/// Largest intensity of directions with a cosine to the axis in cell `i`.
-double largest_in_cell(const LightBounds& b, std::size_t i) {
-    const auto band = [](double cosine) {
-        const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-        return std::min(
-            LightBounds::bands - 1,
-            static_cast<std::size_t>(angle / pi * static_cast<double>(LightBounds::bands)));
-    };
-    constexpr double step = 2.0 / static_cast<double>(LuminairePick::cells);
-    const double cosine = -1.0 + step * static_cast<double>(i);
-    return *std::max_element(b.largest.begin() + band(cosine + step),
-                             b.largest.begin() + band(cosine) + 1);
+/// Band of LightBounds that holds the direction with a cosine to the axis of -1 + 2 i/cells.
+std::size_t band_at(std::size_t i) {
+    static const auto bands = [] {
+        std::array<std::size_t, GlowTables::cells + 1> of;
+        for (std::size_t k = 0; k < of.size(); ++k) {
+            const double cosine = -1.0 + 2.0 * static_cast<double>(k) / GlowTables::cells;
+            const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+            of[k] = std::min(LightBounds::bands - 1,
+                             static_cast<std::size_t>(angle / pi * LightBounds::bands));
+        }
+        return of;
+    }();
+    return bands[i];
 }
 
 /// The first `count`, a multiple of `wide`.
 ISOLUX_WIDE_VECTORS void weigh_all(const LuminairePick::Lights& lights,
+                                   const float* __restrict glow,
                                    int count,
                                    float x,
                                    float y,
                                    float z,
                                    float* __restrict weights) noexcept {
-    constexpr float half = 0.5F * static_cast<float>(LuminairePick::cells);
-    const float* const glow = lights.glow.data();
+    constexpr float half = 0.5F * static_cast<float>(GlowTables::cells);
     for (int i = 0; i < count; ++i) {
         const float dx = x - lights.x[i];
         const float dy = y - lights.y[i];
@@ -52,21 +53,36 @@ ISOLUX_WIDE_VECTORS void weigh_all(const LuminairePick::Lights& lights,
             lights.axis_x[i] * dx + lights.axis_y[i] * dy + lights.axis_z[i] * dz;
         const float place = half + half * along / std::sqrt(d2 + 1e-30F);
         const float cell = std::min(std::max(place, 0.0F), 2.0F * half - 1.0F);
-        const int at = static_cast<int>(LuminairePick::cells) * i + static_cast<int>(cell);
-        weights[i] = glow[at] / (d2 + lights.spread[i]);
+        weights[i] = glow[lights.glow[i] + static_cast<int>(cell)] / (d2 + lights.spread[i]);
     }
 }
 
 } // namespace
 
-void LuminairePick::add(const LightBounds& bounds,
+GlowTables::GlowTables() { add({}); }
+
+int GlowTables::add(const LightBounds& bounds) {
+    const double least = least_share * bounds.flux / (4.0 * pi);
+    Table table;
+    for (std::size_t i = 0; i < cells; ++i)
+        table[i] =
+            static_cast<float>(least
+                               + *std::max_element(bounds.largest.begin() + band_at(i + 1),
+                                                   bounds.largest.begin() + band_at(i) + 1));
+    const auto [known, is_new] = known_.emplace(table, static_cast<int>(values_.size()));
+    if (is_new)
+        values_.insert(values_.end(), table.begin(), table.end());
+    return known->second;
+}
+
+void LuminairePick::add(int glow,
+                        const UnitVector3& axis,
                         const Point3& centre,
                         double largest_dimension) {
     ISOLUX_EXPECT(count_ < most);
     if (count_ == wide * blocks_) { // places without a luminaire weigh nothing
-        const auto next = static_cast<std::ptrdiff_t>(count_);
-        std::fill_n(lights_.spread.begin() + next, wide, 1.0F);
-        lights_.glow.resize(cells * wide * ++blocks_, 0.0F);
+        std::fill_n(lights_.spread.begin() + static_cast<std::ptrdiff_t>(count_), wide, 1.0F);
+        ++blocks_;
     }
     if (count_ == 0)
         first_ = centre;
@@ -74,15 +90,12 @@ void LuminairePick::add(const LightBounds& bounds,
     lights_.x[count_] = static_cast<float>(from_first.x);
     lights_.y[count_] = static_cast<float>(from_first.y);
     lights_.z[count_] = static_cast<float>(from_first.z);
-    lights_.axis_x[count_] = static_cast<float>(bounds.axis.x());
-    lights_.axis_y[count_] = static_cast<float>(bounds.axis.y());
-    lights_.axis_z[count_] = static_cast<float>(bounds.axis.z());
+    lights_.axis_x[count_] = static_cast<float>(axis.x());
+    lights_.axis_y[count_] = static_cast<float>(axis.y());
+    lights_.axis_z[count_] = static_cast<float>(axis.z());
     lights_.spread[count_] =
         static_cast<float>(0.25 * largest_dimension * largest_dimension + least_spread);
-    const double least = least_share * bounds.flux / (4.0 * pi);
-    for (std::size_t i = 0; i < cells; ++i)
-        lights_.glow[cells * count_ + i] =
-            static_cast<float>(least + largest_in_cell(bounds, i));
+    lights_.glow[count_] = glow;
     ++count_;
 }
 
@@ -90,6 +103,7 @@ LuminairePick::Weights LuminairePick::weigh(const Point3& place) const noexcept 
     Weights w;
     const Vector3 p = place - first_;
     weigh_all(lights_,
+              tables_->values(),
               static_cast<int>(wide * blocks_),
               static_cast<float>(p.x),
               static_cast<float>(p.y),
@@ -105,28 +119,28 @@ LuminairePick::Weights LuminairePick::weigh(const Point3& place) const noexcept 
     return w;
 }
 
-LightTree::Pick LuminairePick::pick(const Point3& place, double u) const noexcept {
+LuminairePick::Pick LuminairePick::pick(const Point3& place, double u) const noexcept {
     const Weights w = weigh(place);
     double rest = u * w.sum;
     std::size_t block = 0;
     while (block + 1 < blocks_ && rest >= w.of_block[block])
         rest -= w.of_block[block++];
-    std::size_t chosen = wide * block;
-    for (std::size_t i = chosen; i < wide * (block + 1); ++i) {
+    Pick chosen{wide * block};
+    for (std::size_t i = chosen.entry; i < wide * (block + 1); ++i) {
         const auto weight = static_cast<double>(w.of[i]);
         if (weight <= 0.0)
             continue;
-        chosen = i;
+        chosen = {i, weight / w.sum, std::clamp(rest / weight, 0.0, 1.0 - 1e-16)};
         if (rest < weight)
             break;
         rest -= weight;
     }
-    return {chosen, static_cast<double>(w.of[chosen]) / w.sum};
+    return chosen;
 }
 
-double LuminairePick::probability(const Point3& place, std::size_t luminaire) const noexcept {
+double LuminairePick::probability(const Point3& place, std::size_t entry) const noexcept {
     const Weights w = weigh(place);
-    return static_cast<double>(w.of[luminaire]) / w.sum;
+    return static_cast<double>(w.of[entry]) / w.sum;
 }
 
 } // namespace isolux

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "isolux/base/vec.h"
@@ -9,9 +11,31 @@
 
 namespace isolux {
 
-/// A few luminaires, all of them weighed for every place that wants the light of one: METHODS
-/// "Many luminaires". What weighs stands side by side in single precision, so that the
-/// processor weighs several at a time; the draws follow these very numbers.
+/// How intensities are spread about an axis, as draws weigh them: luminaires of one type share
+/// a table.
+class GlowTables {
+public:
+    /// Intensities by the cosine to the axis, from -1.
+    static constexpr std::size_t cells = 32;
+
+    GlowTables();
+
+    /// @return  where the table of these luminaires begins in values()
+    int add(const LightBounds& bounds);
+
+    [[nodiscard]] const float* values() const noexcept { return values_.data(); }
+
+private:
+    using Table = std::array<float, cells>;
+
+    std::map<Table, int> known_;
+    std::vector<float> values_; ///< cd, at least the intensity; the first table is dark
+};
+
+/// A few luminaires, or groups of them, all of them weighed for every place that wants the
+/// light of one: METHODS "Many luminaires". What weighs stands side by side in single
+/// precision, so that the processor weighs several at a time; the draws follow these very
+/// numbers.
 class LuminairePick {
 public:
     static constexpr std::size_t most = 64;
@@ -19,17 +43,26 @@ public:
     /// So many are weighed at a time.
     static constexpr std::size_t wide = 8;
 
+    explicit LuminairePick(std::shared_ptr<const GlowTables> tables)
+        : tables_(std::move(tables)) {}
+
+    [[nodiscard]] std::size_t size() const noexcept { return count_; }
+
     /// @pre  called less than `most` times
-    void add(const LightBounds& bounds, const Point3& centre, double largest_dimension);
+    /// @param glow  where the table begins  @param axis  that it is about
+    void add(int glow, const UnitVector3& axis, const Point3& centre, double largest_dimension);
+
+    struct Pick {
+        std::size_t entry = 0;
+        double probability = 0.0;
+        double rest = 0.0; ///< as good as a new number in [0, 1)
+    };
 
     /// One of them, drawn with one number in [0, 1).
-    [[nodiscard]] LightTree::Pick pick(const Point3& place, double u) const noexcept;
+    [[nodiscard]] Pick pick(const Point3& place, double u) const noexcept;
 
-    /// Probability with which pick(place, u) draws a luminaire.
-    [[nodiscard]] double probability(const Point3& place, std::size_t luminaire) const noexcept;
-
-    /// Intensities by the cosine to the axis, from -1.
-    static constexpr std::size_t cells = 32;
+    /// Probability with which pick(place, u) draws an entry.
+    [[nodiscard]] double probability(const Point3& place, std::size_t entry) const noexcept;
 
     using Lanes = std::array<float, most>;
 
@@ -37,7 +70,7 @@ public:
         Lanes x{}, y{}, z{};                ///< m, from the first one
         Lanes axis_x{}, axis_y{}, axis_z{}; ///< their light is spread about it
         Lanes spread{};                     ///< m2, added to the squared distance
-        std::vector<float> glow;            ///< cd, at least the intensity: cells of each
+        std::array<int, most> glow{};       ///< beginning of their table
     };
 
 private:
@@ -49,6 +82,7 @@ private:
 
     [[nodiscard]] Weights weigh(const Point3& place) const noexcept;
 
+    std::shared_ptr<const GlowTables> tables_;
     std::size_t count_ = 0;
     std::size_t blocks_ = 0;
     Point3 first_;

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "isolux/base/polygon.h"
-#include "isolux/transport/opening_rules.h"
 #include "isolux/transport/response.h"
 
 namespace isolux {
@@ -63,26 +62,27 @@ double OpeningLight::value(const Look& look) const noexcept {
                          : 0.0;
 }
 
-std::optional<double> OpeningLight::unshadowed(double negligible) const {
+std::optional<RuleValue> OpeningLight::unshadowed(double negligible) const {
     const Luminaire& l = emission_->luminaire(luminaire_);
     const Opening& opening = l.opening;
     if (opening.form == OpeningForm::point)
-        return value(look(0.5, 0.5));
+        return RuleValue{value(look(0.5, 0.5))};
     const bool is_flat = opening.form == OpeningForm::flat;
     if (is_flat && is_planar(*receiver_)
         && std::holds_alternative<LambertianSource>(scene_->type_of(l).source)) {
         const Facet& facet = opening.facets.front();
         if (dot(facet.normal, at_ - facet.vertices.front()) <= 0.0)
-            return 0.0;
+            return RuleValue{};
         const double luminance = in_lumen(l.flux) / (pi * facet.area);
-        return luminance * projected_solid_angle(facet.vertices, at_, receiver_->axis);
+        return RuleValue{luminance
+                         * projected_solid_angle(facet.vertices, at_, receiver_->axis)};
     }
-    double sum = 0.0;
+    RuleValue sum;
     for (std::size_t f = 0; f < opening.facets.size(); ++f) {
         const Facet& facet = opening.facets[f];
         if (!is_flat && dot(facet.normal, at_ - facet.vertices.front()) <= 0.0)
             continue;
-        const std::optional<double> part =
+        const std::optional<RuleValue> part =
             integrate(f, negligible / static_cast<double>(opening.facets.size()));
         if (!part)
             return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<double> OpeningLight::unshadowed(double negligible) const {
     return sum;
 }
 
-std::optional<double> OpeningLight::integrate(std::size_t facet, double negligible) const {
+std::optional<RuleValue> OpeningLight::integrate(std::size_t facet, double negligible) const {
     const std::vector<Point3>& vertices =
         emission_->luminaire(luminaire_).opening.facets[facet].vertices;
     const auto from_place = [&](const Point3& place) {

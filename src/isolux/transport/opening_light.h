@@ -4,6 +4,7 @@
 
 #include "isolux/base/receiver.h"
 #include "isolux/transport/emission.h"
+#include "isolux/transport/opening_rules.h"
 
 namespace isolux {
 
@@ -35,10 +36,12 @@ public:
     /// plane, otherwise by rules that agree (METHODS "Openings with a photometric table").
     /// Nothing very near an opening.
     /// @param negligible  two rules agree if they differ by less than this, lx, or by 2e-5
-    [[nodiscard]] std::optional<double> unshadowed(double negligible = 0.0) const;
+    /// Infinite: a rough value, and what it may be wrong by.
+    [[nodiscard]] std::optional<RuleValue> unshadowed(double negligible = 0.0) const;
 
 private:
-    [[nodiscard]] std::optional<double> integrate(std::size_t facet, double negligible) const;
+    [[nodiscard]] std::optional<RuleValue> integrate(std::size_t facet,
+                                                     double negligible) const;
 
     const Scene* scene_;
     const Emission* emission_;

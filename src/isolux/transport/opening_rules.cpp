@@ -131,26 +131,28 @@ public:
         : eye_(eye), density_(density),
           most_(std::max(most_places, corners * most_places_of_a_corner)) {}
 
-    std::optional<double> over(Patch patch, double negligible) {
+    std::optional<RuleValue> over(Patch patch, double negligible) {
         if (!(patch.area() > 0.0))
-            return 0.0;
+            return RuleValue{};
         patch.measure(eye_);
         if (!(std::max(patch.extent, patch.other_extent) < 1e6))
             return std::nullopt; // the eye is in it
-        if (const std::optional<double> whole = by_rules(patch, negligible))
+        if (const std::optional<RuleValue> whole = by_rules(patch, negligible))
             return whole;
         if (places_ >= most_)
             return std::nullopt;
         places_ += 4; // halving has an end, too
         const auto [one, other] = patch.halves();
-        const std::optional<double> first = over(one, 0.5 * negligible);
-        const std::optional<double> second =
-            first ? over(other, 0.5 * negligible) : std::nullopt;
-        return second ? std::optional(*first + *second) : std::nullopt;
+        std::optional<RuleValue> sum = over(one, 0.5 * negligible);
+        const std::optional<RuleValue> second =
+            sum ? over(other, 0.5 * negligible) : std::nullopt;
+        if (!second)
+            return std::nullopt;
+        return *sum += *second;
     }
 
 private:
-    std::optional<double> by_rules(const Patch& patch, double negligible) {
+    std::optional<RuleValue> by_rules(const Patch& patch, double negligible) {
         const std::size_t first = second_rule(patch.extent);
         const std::size_t other = second_rule(patch.other_extent);
         const std::size_t last = std::max(first, other);
@@ -173,7 +175,7 @@ private:
             if (may_end
                 && std::max(change, last_change / coarser)
                        <= std::max(agreement * now, negligible))
-                return now;
+                return RuleValue{now, change};
             before = now;
         }
         return std::nullopt;
@@ -203,17 +205,17 @@ private:
 
 } // namespace
 
-std::optional<double> integrate_polygon(std::span<const Point3> polygon,
-                                        const Point3& eye,
-                                        double negligible,
-                                        const PlaceDensity& density) {
+std::optional<RuleValue> integrate_polygon(std::span<const Point3> polygon,
+                                           const Point3& eye,
+                                           double negligible,
+                                           const PlaceDensity& density) {
     Integral integral(eye, density, polygon.size());
     if (is_parallelogram(polygon))
         return integral.over({polygon[0], polygon[1] - polygon[0], polygon[3] - polygon[0]},
                              negligible);
-    double sum = 0.0;
+    RuleValue sum;
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
-        const std::optional<double> part = integral.over(
+        const std::optional<RuleValue> part = integral.over(
             {polygon[0], polygon[i] - polygon[0], polygon[i + 1] - polygon[0], true},
             negligible / static_cast<double>(polygon.size() - 2));
         if (!part)

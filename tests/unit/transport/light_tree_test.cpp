@@ -17,19 +17,6 @@ namespace {
 
 using test::NormalDraws;
 
-/// A small black triangle far below: scenes want something to hit.
-void add_speck(test::Builder& b) {
-    b.add_triangle({0, 0, -900}, {1, 0, -900}, {0, 1, -900}, b.add_diffuse(0.0));
-}
-
-Scene random_scene(NormalDraws& random, std::size_t luminaires, double half_side) {
-    test::Builder b;
-    add_speck(b);
-    for (std::size_t i = 0; i < luminaires; ++i)
-        test::add_random_luminaire(b, random, half_side);
-    return b.build();
-}
-
 /// One point of every luminaire's opening looked at: how much its light would be if all of it
 /// came from there. Its mean over the opening is the illuminance, so that its bound is one.
 /// Solid openings share their light by facets; each facet's part is bounded apart and added.
@@ -66,7 +53,7 @@ TEST(LightBounds, AreNeverBelowTheLight) {
     std::size_t bright = 0;
     for (int scenes = 0; scenes < 500; ++scenes) {
         const std::size_t count = 1 + static_cast<std::size_t>(5.0 * random.uniform());
-        const Scene scene = random_scene(random, count, 1.0 + random.uniform());
+        const Scene scene = test::random_scene(random, count, 1.0 + random.uniform());
         const Emission emission(scene);
         const LightTree tree(scene);
         for (int i = 0; i < 40; ++i) {
@@ -98,7 +85,7 @@ TEST(LightBounds, AreNeverBelowTheLight) {
 /// the light itself, but for the band's width and the opening's size.
 TEST(LightBounds, AreTightFarOnTheAxis) {
     test::Builder b;
-    add_speck(b);
+    test::add_speck(b);
     b.add_panel({-0.3, -0.3, 0}, {0, 0.6, 0}, {0.6, 0, 0}, 1000.0 * std::numbers::pi);
     const Scene scene = b.build();
     const LightBounds bounds =
@@ -135,7 +122,7 @@ TEST(LightBounds, WeighAThinBeamToItsEdge) {
 
 TEST(LightTree, HoldsEveryLuminaireThatShinesOnce) {
     NormalDraws random(2);
-    Scene scene = random_scene(random, 300, 30.0);
+    Scene scene = test::random_scene(random, 300, 30.0);
     scene.luminaires[7].flux = Lumen(0.0);
     const LightTree tree(scene);
     std::vector<int> found(300, 0);
@@ -146,85 +133,31 @@ TEST(LightTree, HoldsEveryLuminaireThatShinesOnce) {
         EXPECT_EQ(found[l], l == 7 ? 0 : 1) << l;
 }
 
-/// Frequencies against probabilities, chi-square with a false alarm of 1e-8. Where neither part
-/// of a node can light the place although the node's looser bound says so, nobody is picked.
-TEST(LightTree, PicksWithTheProbabilitiesItTells) {
-    NormalDraws random(3);
-    const Scene scene = random_scene(random, 100, 10.0);
+/// Leaves are counted from left to right, so that those below a node stand side by side.
+TEST(LightTree, CountsItsLeaves) {
+    NormalDraws random(6);
+    const Scene scene = test::random_scene(random, 100, 10.0);
     const LightTree tree(scene);
-    for (int i = 0; i < 5; ++i) {
-        const Point3 place = test::random_point(random, 12.0);
-        constexpr int draws = 200000;
-        std::vector<double> counts(101, 0.0); // the last one: nobody
-        for (int k = 0; k < draws; ++k) {
-            const LightTree::Pick pick = tree.pick(place, random.uniform());
-            counts[pick.probability > 0.0 ? pick.luminaire : 100] += 1.0;
-            if (pick.probability > 0.0) {
-                ASSERT_NEAR(pick.probability, tree.probability(place, pick.luminaire), 1e-12);
-            }
+    std::vector<int> seen(100, 0);
+    for (const LightTree::Node& node : tree.nodes()) {
+        if (node.is_leaf()) {
+            ++seen[node.first_leaf];
+            continue;
         }
-        std::vector<double> probabilities;
-        double nobody = 1.0;
-        for (std::size_t l = 0; l < 100; ++l) {
-            probabilities.push_back(tree.probability(place, l));
-            nobody -= probabilities.back();
-        }
-        EXPECT_GT(nobody, -1e-12);
-        probabilities.push_back(nobody);
-        std::vector<double> observed{0.0}; // the rare ones together
-        std::vector<double> expected{0.0};
-        for (std::size_t l = 0; l < counts.size(); ++l) {
-            const double mean = draws * probabilities[l];
-            if (mean >= 5.0) {
-                observed.push_back(counts[l]);
-                expected.push_back(mean);
-            } else {
-                observed[0] += counts[l];
-                expected[0] += mean;
-            }
-        }
-        if (expected[0] < 5.0) {
-            EXPECT_LT(observed[0], 40.0);
-            observed.erase(observed.begin());
-            expected.erase(expected.begin());
-        }
-        EXPECT_GT(test::chi_square_tail(observed, expected), test::chi_square_false_alarm);
+        const LightTree::Node& left = tree.nodes()[node.left];
+        EXPECT_EQ(left.first_leaf, node.first_leaf);
+        EXPECT_EQ(tree.nodes()[node.left + 1].first_leaf,
+                  node.first_leaf + static_cast<std::uint32_t>(left.bounds.count));
     }
+    EXPECT_EQ(std::ranges::count(seen, 1), 100);
 }
 
-/// A hall of points of light: what a draw is worth, light over probability, never is far more
-/// than all of the light, wherever a place lies among the tree's boxes.
-TEST(LightTree, DrawsNoLightFarTooRarely) {
-    test::Builder b;
-    const auto type = b.add_isotropic_type(1000);
-    for (int i = 0; i < 20; ++i)
-        for (int j = 0; j < 15; ++j)
-            b.add_point({2.0 * i, 2.0 * j, 3.0}, type);
-    const Scene scene = b.build();
-    const LightTree tree(scene);
-    NormalDraws random(9);
-    double worst = 0.0;
-    for (int k = 0; k < 200; ++k) {
-        const Point3 place{40.0 * random.uniform(), 30.0 * random.uniform(), 0.75};
-        std::vector<double> light;
-        double all = 0.0;
-        for (const Luminaire& l : scene.luminaires) {
-            light.push_back(1.0
-                            / length_squared(place - l.placement.world_from_luminaire.origin));
-            all += light.back();
-        }
-        for (std::size_t l = 0; l < light.size(); ++l)
-            worst = std::max(worst, light[l] / (all * tree.probability(place, l)));
-    }
-    EXPECT_LT(worst, 100.0);
-}
-
-/// Whoever can light a place can be picked: from the tree and from a short list alike.
+/// Whoever can light a place can be picked, whether luminaires are few or many.
 TEST(NextEventPick, LeavesNoLightOut) {
     NormalDraws random(4);
-    for (const std::size_t count : {std::size_t{5}, std::size_t{80}})
+    for (const std::size_t count : {5U, 80U, 300U})
         for (int scenes = 0; scenes < 20; ++scenes) {
-            const Scene scene = random_scene(random, count, 4.0);
+            const Scene scene = test::random_scene(random, count, 4.0);
             const Emission emission(scene);
             for (int i = 0; i < 50; ++i) {
                 Receiver receiver{test::random_point(random, 6.0), {}};
@@ -246,7 +179,7 @@ TEST(NextEventPick, LeavesNoLightOut) {
 /// Against the sum of all, z-test over 64 seeds.
 TEST(DirectLightUnderManyLuminaires, IsTheSumOfAll) {
     test::Builder b;
-    add_speck(b);
+    test::add_speck(b);
     const LuminaireTypeId lamp = b.add_isotropic_type(1000.0);
     for (int i = 0; i < 400; ++i)
         b.add_point({1.0 * i, 0.0, 2.0}, lamp);
@@ -277,6 +210,73 @@ TEST(DirectLightUnderManyLuminaires, IsTheSumOfAll) {
     // Neither the far lamps nor the bounds of their groups cost a ray each.
     EXPECT_LT(static_cast<double>(rays), 64.0 * 150.0);
     EXPECT_GE(tail_draws, 64U);
+}
+
+/// Direct light of panels [first, last) of a hall with sixteen by eight of them over a board.
+struct Hall {
+    Hall(std::size_t first, std::size_t last) : scene(make(first, last)) {}
+
+    static Scene make(std::size_t first, std::size_t last) {
+        test::Builder b;
+        b.add_quad({10, 5, 1.5}, {4, 0, 0}, {0, 4, 0}, b.add_diffuse(0.0));
+        NormalDraws random(12);
+        LuminaireType type;
+        type.source = test::random_table(random);
+        type.opening.shape = OpeningShape::rectangle;
+        type.opening.extent_x = Metre(0.6);
+        type.opening.extent_y = Metre(0.6);
+        const Opening opening = make_opening(type.opening);
+        const LuminaireTypeId id = b.add_type(std::move(type));
+        for (std::size_t i = first; i < last; ++i) {
+            Luminaire l;
+            l.placement.type = id;
+            l.placement.world_from_luminaire.origin = {
+                2.0 * static_cast<double>(i % 16), 2.0 * static_cast<double>(i / 16), 3.0};
+            l.opening = to_world(opening, l.placement.world_from_luminaire);
+            l.flux = luminous_flux(b.types[id.index()]);
+            b.luminaires.push_back(l);
+        }
+        return b.build();
+    }
+
+    Estimate at(const Receiver& receiver) const {
+        return test::over_seeds([&](std::size_t seed) {
+            std::uint64_t rays = 0;
+            const DirectPlan plan = direct.plan(receiver, 0, seed, false, rays);
+            Rgb light;
+            direct.estimate(
+                receiver, plan, 0, seed, 0, {}, 0, {{&light, 1}, nullptr, {}, {}}, rays);
+            return luminance_sum(light);
+        });
+    }
+
+    Scene scene;
+    Emission emission{scene};
+    MirrorImages images{scene};
+    DirectLight direct{scene, emission, images};
+};
+
+/// Halls of 64 panels look at each of them for itself; one of 128 takes those far away in
+/// groups, asks of whole groups whether anything hides them, and believes rougher values. It
+/// has to find as much as its halves together: in the open, below the board and half below it.
+TEST(DirectLightUnderManyLuminaires, IsThatOfItsParts) {
+    const Hall whole(0, 128);
+    const Hall one(0, 64);
+    const Hall other(64, 128);
+    for (const double z : {0.0, 0.75, 1.4})
+        for (const double x : {1.0, 8.3, 9.9, 13.6, 14.7, 29.0}) {
+            const Receiver receiver{{x, 7.0, z}, UnitVector3::from_unit({0, 0, 1})};
+            const Estimate e = whole.at(receiver);
+            const Estimate a = one.at(receiver);
+            const Estimate b = other.at(receiver);
+            const double error = std::sqrt(e.standard_error * e.standard_error
+                                           + a.standard_error * a.standard_error
+                                           + b.standard_error * b.standard_error);
+            const double sum = a.mean + b.mean;
+            EXPECT_NEAR(e.mean, sum, test::z_limit * error + 4e-4 * sum) << x << ' ' << z;
+            EXPECT_GT(sum, 0.0);
+            EXPECT_LT(error, 0.02 * sum) << x << ' ' << z;
+        }
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -38,9 +39,10 @@ std::vector<Light> random_lights(std::size_t count) {
 }
 
 LuminairePick pick_of(const std::vector<Light>& lights) {
-    LuminairePick pick;
+    const auto tables = std::make_shared<GlowTables>();
+    LuminairePick pick(tables);
     for (const Light& l : lights)
-        pick.add(l.bounds, l.centre, l.size);
+        pick.add(tables->add(l.bounds), l.bounds.axis, l.centre, l.size);
     return pick;
 }
 
@@ -97,14 +99,44 @@ TEST(LuminairePick, DrawsAsOftenAsItSays) {
             const Point3 place = random_place(i);
             std::vector<int> drawn(count, 0);
             for (int k = 0; k < draws; ++k) {
-                const LightTree::Pick p = pick.pick(place, (k + 0.5) / draws);
-                ASSERT_EQ(p.probability, pick.probability(place, p.luminaire));
-                ++drawn[p.luminaire];
+                const LuminairePick::Pick p = pick.pick(place, (k + 0.5) / draws);
+                ASSERT_EQ(p.probability, pick.probability(place, p.entry));
+                ++drawn[p.entry];
             }
             for (std::size_t l = 0; l < count; ++l)
                 ASSERT_NEAR(drawn[l], draws * pick.probability(place, l), 1.0 + 1e-6) << l;
         }
     }
+}
+
+/// What is left of a number after a draw is spread evenly over [0, 1) for every entry: moments
+/// of a grid of numbers, to their rounding.
+TEST(LuminairePick, LeavesANumberToGoOnWith) {
+    constexpr int draws = 200000;
+    const LuminairePick pick = pick_of(random_lights(9));
+    const Point3 place = random_place(1);
+    std::vector<std::vector<double>> rests(9);
+    for (int k = 0; k < draws; ++k) {
+        const LuminairePick::Pick p = pick.pick(place, (k + 0.5) / draws);
+        ASSERT_GE(p.rest, 0.0);
+        ASSERT_LT(p.rest, 1.0);
+        rests[p.entry].push_back(p.rest);
+    }
+    int compared = 0;
+    for (const std::vector<double>& rest : rests) {
+        if (rest.size() < 300)
+            continue;
+        ++compared;
+        double mean = 0.0;
+        double square = 0.0;
+        for (const double r : rest) {
+            mean += r / static_cast<double>(rest.size());
+            square += r * r / static_cast<double>(rest.size());
+        }
+        EXPECT_NEAR(mean, 0.5, 2e-3);
+        EXPECT_NEAR(square, 1.0 / 3.0, 2e-3);
+    }
+    EXPECT_GE(compared, 4);
 }
 
 TEST(LuminairePick, NeverDrawsWhatIsOff) {
@@ -113,7 +145,7 @@ TEST(LuminairePick, NeverDrawsWhatIsOff) {
         const double u = RandomStream(9, StreamPurpose::test, 2).uniform(i, 0);
         const Point3 place = random_place(i);
         for (const double v : {u, std::nextafter(1.0, 0.0)})
-            ASSERT_NE(pick.pick(place, v).luminaire % 5, 3U);
+            ASSERT_NE(pick.pick(place, v).entry % 5, 3U);
         ASSERT_EQ(pick.probability(place, 3), 0.0);
     }
 }
