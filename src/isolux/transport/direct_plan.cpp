@@ -39,7 +39,7 @@ constexpr double negligible = 1e-4;
 
 /// Parts of the light tree with no more luminaires than this, and no larger than this share of
 /// the distance, are taken whole.
-constexpr double most_alike = 8.0;
+constexpr double most_alike = 16.0;
 constexpr double alike_size = 0.5;
 
 /// Thickness of openings in one plane, m.
