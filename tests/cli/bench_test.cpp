@@ -60,6 +60,8 @@ TEST(BenchVerb, MeasuresTimeToErrorAndRays) {
     EXPECT_GE(j["by_points"][0]["points"].get<int>(), 96);
     ASSERT_EQ(j["by_luminaires"].size(), 1U);
     EXPECT_EQ(j["by_luminaires"][0]["luminaires"], 1);
+    ASSERT_EQ(j["by_luminaires_and_size"].size(), 1U);
+    EXPECT_EQ(j["by_luminaires_and_size"][0]["luminaires"], 1);
 }
 
 TEST(BenchVerb, NamesWhatIsWrong) {

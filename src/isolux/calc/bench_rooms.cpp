@@ -234,6 +234,24 @@ BenchRoom make_doorway() {
     return b;
 }
 
+/// A room with nothing but its panels. @param points  on its work plane, along x and y
+/// @param panels  likewise
+BenchRoom make_empty(std::string name,
+                     const Point3& size,
+                     const std::array<std::size_t, 2>& points,
+                     const std::array<std::size_t, 2>& panels) {
+    BenchRoom b;
+    b.name = std::move(name);
+    b.description = std::to_string(points[0] * points[1]) + " points, "
+                    + std::to_string(panels[0] * panels[1]) + " panels, nothing in the way";
+    const Shell m = add_shell(b.scene);
+    b.scene.rooms.push_back(make_box_room(size.x, size.y, size.z, m.floor, m.ceiling, m.wall));
+    add_panels(b.scene, size, panels[0], panels[1]);
+    b.surfaces.push_back(
+        plane("work plane", {0, 0, desk_height}, size.x, size.y, points[0], points[1]));
+    return b;
+}
+
 using Maker = BenchRoom (*)();
 
 BenchRoom aimed(BenchRoom b, double seconds) {
@@ -281,17 +299,16 @@ BenchRoom make_empty_bench_room(std::size_t columns,
                                 std::size_t rows,
                                 std::size_t panels_x,
                                 std::size_t panels_y) {
-    BenchRoom b;
-    b.name = "empty room";
-    b.description = std::to_string(columns * rows) + " points, "
-                    + std::to_string(panels_x * panels_y) + " panels, nothing in the way";
     const double x = std::max(6.0, 3.0 * static_cast<double>(panels_x));
     const double y = std::max(4.0, 3.0 * static_cast<double>(panels_y));
-    const Shell m = add_shell(b.scene);
-    b.scene.rooms.push_back(make_box_room(x, y, 3.0, m.floor, m.ceiling, m.wall));
-    add_panels(b.scene, {x, y, 3.0}, panels_x, panels_y);
-    b.surfaces.push_back(plane("work plane", {0, 0, desk_height}, x, y, columns, rows));
-    return b;
+    return make_empty("empty room", Point3{x, y, 3.0}, {columns, rows}, {panels_x, panels_y});
+}
+
+BenchRoom make_hall_bench_room(std::size_t columns,
+                               std::size_t rows,
+                               std::size_t panels_x,
+                               std::size_t panels_y) {
+    return make_empty("hall", Point3{60.0, 40.0, 6.0}, {columns, rows}, {panels_x, panels_y});
 }
 
 } // namespace isolux

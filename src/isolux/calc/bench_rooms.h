@@ -46,4 +46,11 @@ struct BenchRoom {
                                               std::size_t panels_x,
                                               std::size_t panels_y);
 
+/// The same in a hall of 60 m x 40 m x 6 m, however many panels there are: for cost against
+/// luminaires alone.
+[[nodiscard]] BenchRoom make_hall_bench_room(std::size_t columns,
+                                             std::size_t rows,
+                                             std::size_t panels_x,
+                                             std::size_t panels_y);
+
 } // namespace isolux

@@ -159,11 +159,8 @@ private:
         say(to_text(report_.rooms.back()) + "\n");
     }
 
-    ScalingRow
-    scale(std::size_t columns, std::size_t rows, std::size_t panels_x, std::size_t panels_y) {
-        line_.show(
-            fmt::format("{} points, {} luminaires", columns * rows, panels_x * panels_y));
-        BenchRoom room = make_empty_bench_room(columns, rows, panels_x, panels_y);
+    ScalingRow scale(BenchRoom room) {
+        line_.show(room.description);
         return measure_scaling(
             build_scene(std::move(room.scene)), room.surfaces, report_.settings.seed);
     }
@@ -174,7 +171,8 @@ private:
                 break;
             const auto rows = static_cast<std::size_t>(
                 std::max(1.0, std::round(std::sqrt(static_cast<double>(n) / 1.5))));
-            report_.by_points.push_back(scale((n + rows - 1) / rows, rows, 2, 2));
+            report_.by_points.push_back(
+                scale(make_empty_bench_room((n + rows - 1) / rows, rows, 2, 2)));
         }
         if (!report_.by_points.empty())
             say(scaling_text("Cost against points, empty room, 4 panels", report_.by_points)
@@ -187,12 +185,19 @@ private:
                 break;
             const auto rows = static_cast<std::size_t>(
                 std::max(1.0, std::floor(std::sqrt(static_cast<double>(n)))));
+            const std::size_t columns = (n + rows - 1) / rows;
             report_.by_luminaires.push_back(
-                scale(12, points_under_luminaires / 12, (n + rows - 1) / rows, rows));
+                scale(make_hall_bench_room(12, points_under_luminaires / 12, columns, rows)));
+            report_.by_luminaires_and_size.push_back(
+                scale(make_empty_bench_room(12, points_under_luminaires / 12, columns, rows)));
         }
-        if (!report_.by_luminaires.empty())
-            say(scaling_text("Cost against luminaires, empty room that grows with them",
-                             report_.by_luminaires));
+        if (report_.by_luminaires.empty())
+            return;
+        say(scaling_text("Cost against luminaires, hall of 60 m x 40 m x 6 m",
+                         report_.by_luminaires)
+            + "\n");
+        say(scaling_text("Cost against luminaires, empty room that grows with them",
+                         report_.by_luminaires_and_size));
     }
 
     /// Tables appear as they are done.

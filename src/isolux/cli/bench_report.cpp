@@ -148,6 +148,7 @@ std::string to_json(const BenchReport& report) {
     }
     document["by_points"] = to_json(report.by_points);
     document["by_luminaires"] = to_json(report.by_luminaires);
+    document["by_luminaires_and_size"] = to_json(report.by_luminaires_and_size);
     return document.dump(2) + "\n";
 }
 

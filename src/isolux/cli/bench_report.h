@@ -13,7 +13,8 @@ struct BenchReport {
     std::size_t threads = 0;
     std::vector<RoomBench> rooms;
     std::vector<ScalingRow> by_points;
-    std::vector<ScalingRow> by_luminaires;
+    std::vector<ScalingRow> by_luminaires;          ///< in one hall
+    std::vector<ScalingRow> by_luminaires_and_size; ///< in a room that grows with them
 };
 
 /// One room: times to each error, efficiency with its spread, rays.

@@ -101,8 +101,8 @@ public:
         return luminaires() > LuminairePick::most ? &lights_.tree() : nullptr;
     }
 
-    /// A point on some luminaire for the light that falls on `place`. Luminaires, and where they
-    /// are many also groups of them, are picked by their intensity towards it over squared
+    /// A point on some luminaire for the light that falls on `place`. Luminaires, and where
+    /// they are many also groups of them, are picked by their intensity towards it over squared
     /// distance.
     [[nodiscard]] TowardsSample
     sample_towards(const Point3& place, double u_luminaire, double u, double v) const noexcept;

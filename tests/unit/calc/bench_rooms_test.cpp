@@ -73,6 +73,17 @@ TEST(BenchRooms, AnEmptyRoomGrowsWithItsPanels) {
     EXPECT_EQ(room.scene.rooms.front().footprint[2], (Point2{180.0, 150.0}));
 }
 
+TEST(BenchRooms, AHallStaysAsItIsUnderAnyNumberOfPanels) {
+    const BenchRoom few = make_hall_bench_room(12, 8, 6, 5);
+    const BenchRoom many = make_hall_bench_room(12, 8, 60, 50);
+    EXPECT_EQ(few.scene.luminaires.size(), 30U);
+    EXPECT_EQ(many.scene.luminaires.size(), 3000U);
+    EXPECT_EQ(few.scene.rooms.front().footprint, many.scene.rooms.front().footprint);
+    ASSERT_EQ(points_of(few), points_of(many));
+    EXPECT_EQ(few.surfaces.front().receivers.front().point,
+              many.surfaces.front().receivers.front().point);
+}
+
 /// What the engine says about a task of a fixed number of units.
 std::string plan_of(std::string_view name) {
     BenchRoom room = make_bench_room(name);
