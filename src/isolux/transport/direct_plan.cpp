@@ -22,9 +22,10 @@ constexpr double point_like_ratio = 40.0;
 /// once for each by itself and once for all of them together: METHODS eq. (134).
 constexpr double rule_error = 1e-4;
 
-/// Of so many openings a rough value will do, if its last rule changed it by no more than so
-/// many times what it may be wrong by: two rules may agree by chance, but not those of many.
-constexpr double many_openings = 16.0;
+/// Of an opening that brings no more than this share of the light, as one of very many, a rough
+/// value will do, if its last rule changed it by no more than so many times what it may be
+/// wrong by: two rules may agree by chance, but not those of many.
+constexpr double share_of_many = 1.0 / 16.0;
 constexpr double believed_doubt = 4.0;
 
 /// More than any light: a rough value will do.
@@ -102,7 +103,7 @@ bool DirectLight::is_wholly_visible(const LightBounds& b, const Point3& clear) c
 
 /// Luminaires that are looked at one by one; the others go to the plan's tail. The brightest
 /// parts of the light tree are split until what is left is negligible, or so small and far that
-/// its members are all alike.
+/// its members are taken as alike.
 std::vector<DirectLight::Chosen> DirectLight::choose(const Task& task, DirectPlan& plan) const {
     std::vector<Chosen> chosen;
     const LightTree* tree = emission_->tree();
@@ -329,7 +330,7 @@ void DirectLight::know_openings(const Task& task,
         if (beta <= 0.0)
             return false; // nothing is taken of it
         const double negligible = rule_error * (rough + total / count);
-        o.unshadowed = count >= many_openings && doubt <= believed_doubt * negligible
+        o.unshadowed = rough <= share_of_many * total && doubt <= believed_doubt * negligible
                            ? rough
                            : know_opening(task, o.luminaire, negligible);
         if (!o.is_clear || o.unshadowed < 0.0)

@@ -10,8 +10,8 @@
 namespace isolux {
 
 /// Many luminaires, and which of them light a part of the scene: METHODS "Many luminaires".
-/// Every cell of a grid over the scene has a cut through the light tree, the finer the nearer
-/// its nodes are, all of them weighed; below the one that is drawn the tree decides.
+/// Every cell of a grid around the luminaires has a cut through the light tree, the finer the
+/// nearer its nodes are, all of them weighed; below the one that is drawn the tree decides.
 class LightGrid {
 public:
     explicit LightGrid(const Scene& scene);

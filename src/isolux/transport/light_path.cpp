@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "isolux/sampling/warp.h"
@@ -15,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Density of the first vertex, METHODS eq. (11) for k = 2: that of emitting towards it, over
 /// that of finding the same emission point from it; times the cosine over d2 it is an area
-/// density.
+/// density. Endless where that never finds it: then the path has no rival.
 double first_density(const Emission& emission,
                      const EmissionSample& start,
                      const Point3& vertex,
@@ -23,7 +24,7 @@ double first_density(const Emission& emission,
                      double distance) noexcept {
     const double towards = emission.pdf_towards(vertex, start.from);
     if (!(towards > 0.0))
-        return 0.0;
+        return std::numeric_limits<double>::infinity();
     return start.strength * cos_vertex
            / (emission.total_flux() * towards * distance * distance);
 }
@@ -181,8 +182,7 @@ private:
         if (f.behind_mirror)
             v.density = after_mirror;
         else if (f.is_first)
-            v.density =
-                f.passed * first_density(emission_, start_, m.hit.position, cos_in, f.edge);
+            v.density = f.passed * first_density(emission_, start_, m.clear, cos_in, f.edge);
         else
             v.density =
                 f.passed * f.continuation * (f.cos_departure / pi) * cos_in / (f.edge * f.edge);

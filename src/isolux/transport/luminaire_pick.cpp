@@ -140,7 +140,7 @@ LuminairePick::Pick LuminairePick::pick(const Point3& place, double u) const noe
 
 double LuminairePick::probability(const Point3& place, std::size_t entry) const noexcept {
     const Weights w = weigh(place);
-    return static_cast<double>(w.of[entry]) / w.sum;
+    return w.sum > 0.0 ? static_cast<double>(w.of[entry]) / w.sum : 0.0;
 }
 
 } // namespace isolux

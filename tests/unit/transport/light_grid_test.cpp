@@ -103,7 +103,41 @@ TEST(LightGrid, DrawsAsThereIsLight) {
     }
     EXPECT_LT(worst, 10.0);
     EXPECT_LT(variance, 0.25);
-    EXPECT_LT(variance, 0.25 * variance_by_tree);
+    EXPECT_LT(variance, 0.1 * variance_by_tree);
+}
+
+/// Luminaires in one place, most of them off: who shines is drawn, evenly.
+TEST(LightGrid, KnowsLuminairesInOnePlace) {
+    test::Builder b;
+    const auto type = b.add_isotropic_type(1000);
+    for (int i = 0; i < 80; ++i) {
+        b.add_point({1.0, 2.0, 3.0}, type);
+        if (i % 8 != 0)
+            b.luminaires.back().flux = Lumen(0.0);
+    }
+    const Scene scene = b.build();
+    const LightGrid grid(scene);
+    for (const Point3& place : {Point3{1, 2, 3}, Point3{1, 2, 0}, Point3{-50, 7, 1e4}}) {
+        for (int k = 0; k < 100; ++k)
+            EXPECT_EQ(grid.pick(place, (k + 0.5) / 100).luminaire % 8, 0U);
+        for (std::size_t l = 0; l < 80; ++l)
+            EXPECT_NEAR(grid.probability(place, l), l % 8 == 0 ? 0.1 : 0.0, 1e-6) << l;
+    }
+}
+
+/// Nothing shines, or one luminaire alone.
+TEST(LightGrid, KnowsDarkness) {
+    test::Builder dark;
+    dark.add_point({0, 0, 3}, dark.add_isotropic_type(1000));
+    test::Builder one = dark;
+    dark.luminaires.back().flux = Lumen(0.0);
+    const Point3 place{1, 1, 0};
+    const LightGrid nothing(dark.build());
+    EXPECT_EQ(nothing.pick(place, 0.5).probability, 0.0);
+    EXPECT_EQ(nothing.probability(place, 0), 0.0);
+    const LightGrid alone(one.build());
+    EXPECT_EQ(alone.pick(place, 0.5).probability, 1.0);
+    EXPECT_EQ(alone.probability(place, 0), 1.0);
 }
 
 } // namespace
