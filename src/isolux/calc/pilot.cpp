@@ -25,10 +25,6 @@ constexpr std::size_t traced_samples = 2;
 /// where it matters: what light paths bring near surfaces varies the less the more there are.
 constexpr double usual_rays = 4.0;
 constexpr std::size_t tile = 16;
-constexpr std::uint32_t first_trial = 1U << 16U; ///< number of the first sample of a trial
-
-/// Replicates that the run itself does not use.
-constexpr std::uint32_t first_replicate = 0xffff00U;
 
 using Pair = std::array<double, 2>;
 
@@ -299,7 +295,7 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
     const auto build = [&](std::uint32_t r, const EffectiveCounts& counts) {
         return build_vertex_cache(*task.scene,
                                   *task.emission,
-                                  PathRandomness(task.seed, first_replicate + r),
+                                  PathRandomness(task.seed, first_pilot_replicate + r),
                                   0,
                                   paths,
                                   counts,
@@ -324,7 +320,7 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
         const std::size_t begin = k % tiles * tile;
         looker.look(caches[r],
                     counts,
-                    first_replicate + static_cast<std::uint32_t>(r),
+                    first_pilot_replicate + static_cast<std::uint32_t>(r),
                     begin,
                     std::min(points.size(), begin + tile),
                     looks.subspan(r * points.size(), points.size()));
@@ -344,7 +340,7 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     Pilot means;
     for_each_index(points.size(), 4, [&](std::size_t p) {
         std::vector<double> values(replicates);
-        const double samples_taken = task.direct(points[p], first_replicate, values);
+        const double samples_taken = task.direct(points[p], first_pilot_replicate, values);
         for (std::size_t r = 0; r < replicates; ++r) {
             Look& look = looks[r * points.size() + p];
             look.direct = values[r];
@@ -393,78 +389,6 @@ Pilot run_pilot(const PilotScene& task, const PilotTarget& target) {
     pilot.chain_length = means.chain_length;
     pilot.importance = std::move(importance);
     return pilot;
-}
-
-double find_cost_of_cut(const PilotScene& task, const PathImportance& importance) {
-    constexpr std::size_t trial_paths = 16384;
-    constexpr std::size_t trial_tiles = 32;
-    constexpr double row_cost = 40.0; // of a tile's cut, for each of its points, ns
-    if (task.emission->total_flux() <= 0.0)
-        return 0.0;
-    const VertexCache cache =
-        build_vertex_cache(*task.scene,
-                           *task.emission,
-                           PathRandomness(task.seed, first_replicate + most_pilot_replicates),
-                           0,
-                           trial_paths,
-                           EffectiveCounts{},
-                           importance,
-                           {},
-                           Weighing::tree);
-    if (cache.tree.empty())
-        return 0.0;
-    const std::size_t tiles = task.receivers.size() / tile;
-    TreeScratch scratch;
-    std::vector<TreePoint> points;
-    double rows = 0.0;
-    for (std::size_t k = 0; k < trial_tiles; ++k) {
-        const std::size_t first = (2 * k + 1) * tiles / (2 * trial_tiles) * tile;
-        points.clear();
-        for (std::size_t i = first; i < first + tile; ++i)
-            points.push_back(
-                {make_kernel_receiver(cache, task.receivers[i], task.clear[i]), task.clear[i]});
-        cut_tree(cache, points, task.receivers[first].kind, scratch);
-        rows += static_cast<double>(scratch.cut.rows()) / trial_tiles;
-    }
-    return row_cost * (1.0 + rows);
-}
-
-std::vector<TracingTrial> try_tracing(const PilotScene& task,
-                                      std::span<const std::size_t> receivers,
-                                      std::size_t samples,
-                                      std::size_t replicates) {
-    std::vector<double> values(receivers.size() * replicates); // [receiver][replicate]
-    const std::size_t tiles = (receivers.size() + tile - 1) / tile;
-    for_each_index(tiles * replicates, 1, [&](std::size_t k) {
-        const std::size_t r = k / tiles;
-        const std::size_t begin = k % tiles * tile;
-        const std::size_t end = std::min(receivers.size(), begin + tile);
-        std::vector<RayPoint> senders;
-        for (std::size_t p = begin; p < end; ++p)
-            senders.push_back({&task.receivers[receivers[p]],
-                               task.clear[receivers[p]],
-                               {task.seed,
-                                StreamPurpose::pilot,
-                                first_replicate + static_cast<std::uint32_t>(r),
-                                receivers[p]},
-                               samples,
-                               first_trial});
-        std::vector<Rgb> sums(senders.size());
-        WalkFront front;
-        front.start(*task.scene, *task.emission, *task.images, senders);
-        front.add_tracing();
-        front.run({sums, nullptr, {}, {}});
-        for (std::size_t p = begin; p < end; ++p)
-            values[p * replicates + r] = luminance_sum(sums[p - begin]);
-    });
-    std::vector<TracingTrial> trials(receivers.size());
-    for (std::size_t p = 0; p < receivers.size(); ++p) {
-        const auto own = std::span(values).subspan(p * replicates, replicates);
-        for (const double v : own)
-            trials[p].mean += v / static_cast<double>(replicates);
-        trials[p].variance = static_cast<double>(samples) * variance_of(own);
-    }
-    return trials;
 }
 
 } // namespace isolux

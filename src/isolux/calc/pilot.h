@@ -45,6 +45,9 @@ inline constexpr std::size_t fewest_pilot_replicates = 4;
 inline constexpr std::size_t most_pilot_replicates = 16;
 inline constexpr std::size_t pilot_points = 64;
 
+/// Replicates from here on the run itself does not use.
+inline constexpr std::uint32_t first_pilot_replicate = 0xffff00U;
+
 /// What a few samples of some points say about the variance, METHODS eq. (61). They come
 /// from replicates of their own and are thrown away: what follows from them steers the work and
 /// biases nothing.

@@ -89,7 +89,9 @@ TEST(ReceiverLines, NamesEveryLineUpToTen) {
 }
 
 TEST(ReceiverLines, DoesNotSwallowEndlessLines) {
-    EXPECT_EQ(message_for(std::string(1000000, '1') + "\n0 0 0 0 0 1\n"),
+    std::string lines(1000000, '1');
+    lines += "\n0 0 0 0 0 1\n";
+    EXPECT_EQ(message_for(lines),
               "stdin:1: more than 4096 characters. A line is x y z nx ny nz, in metres");
 }
 

@@ -104,8 +104,15 @@ TEST(Standard, ReplacesTheIlluminanceOnlyWhereModifiedValuesAreWanted) {
     with.limit = 0.1;
     with.source = "x";
     s.columns = {em, raised, with};
-    s.rows = {
-        {"1", "T1", "", "work", {{"Em", 500}, {"Em+", 1000}}, "recalled", {{"Em+", "x"}}, ""}};
+    s.rows = {{"1",
+               "T1",
+               "",
+               "work",
+               {{"Em", 500}, {"Em+", 1000}},
+               "recalled",
+               {{"Em+", "x"}},
+               "",
+               {}}};
     const auto plain = requirements_of(s, s.rows[0], RowLevel::required);
     const auto modified = requirements_of(s, s.rows[0], RowLevel::modified);
     ASSERT_EQ(plain.size(), 2U);
