@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::size_t study_samples = 8; ///< pairs of subpaths of a bidirectional unit
 
+/// Light paths of a unit that no point takes: they tell where the flux goes.
+constexpr std::size_t paths_of_a_balance = 2048;
+
 /// A degenerate sample counts as zero and is told about; it never reaches a sum as it is.
 double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
     const double lux = luminance_sum(e);
@@ -27,11 +30,13 @@ double finite_lux(const Rgb& e, RayCounts& rays) noexcept {
 
 VertexCache
 Engine::build_cache(std::uint32_t replicate, std::uint32_t unit, VertexCache used) const {
+    const std::size_t paths =
+        needs_paths_ ? effort_.paths : std::min(effort_.paths, paths_of_a_balance);
     return build_vertex_cache(*scene_,
                               emission_,
                               PathRandomness(settings_.seed, replicate),
                               static_cast<std::uint64_t>(unit) * effort_.paths,
-                              effort_.paths,
+                              paths,
                               counts_,
                               pilot_.importance,
                               {},

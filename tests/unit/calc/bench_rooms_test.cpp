@@ -1,9 +1,12 @@
+#include <cmath>
 #include <map>
+#include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>
 
 #include "isolux/calc/bench_rooms.h"
+#include "isolux/calc/calculate.h"
 #include "isolux/calc/engine.h"
 
 namespace isolux {
@@ -82,6 +85,26 @@ TEST(BenchRooms, AHallStaysAsItIsUnderAnyNumberOfPanels) {
     ASSERT_EQ(points_of(few), points_of(many));
     EXPECT_EQ(few.surfaces.front().receivers.front().point,
               many.surfaces.front().receivers.front().point);
+}
+
+/// Light paths that no point takes only tell where the flux goes: 2048 of each replicate,
+/// however many would be worth it if points took them. In a large hall with few points none
+/// does.
+TEST(BenchRooms, TracedPointsCostFewLightPaths) {
+    BenchRoom room = make_empty_bench_room(12, 8, 33, 31);
+    const Scene scene = build_scene(std::move(room.scene));
+    Settings settings;
+    settings.tolerance = 0.02;
+    const Results results = calculate(scene, room.surfaces, settings);
+    ASSERT_NE(results.estimator.find("path tracing (96 points)"), std::string::npos)
+        << results.estimator;
+    EXPECT_EQ(results.paths, 16U * 2048U);
+    const FluxBalance& flux = results.flux_balance;
+    EXPECT_GT(flux.absorbed.standard_error, 0.0);
+    EXPECT_LT(std::abs(flux.absorbed.mean + flux.escaped.mean - flux.emitted.mean),
+              7.0 * flux.absorbed.standard_error);
+    settings.estimator = Estimator::local_estimation_mis;
+    EXPECT_GT(calculate(scene, room.surfaces, settings).paths, 16U * 2048U);
 }
 
 /// What the engine says about a task of a fixed number of units.
