@@ -25,9 +25,10 @@ constexpr double rule_error = 1e-4;
 
 /// Of an opening that brings no more than this share of the light, as one of very many, a rough
 /// value will do, if its last rule changed it by no more than so many times what it may be
-/// wrong by: two rules may agree by chance, but not those of many.
+/// wrong by: where a table has a kink the second rule is left with a third of what it changed.
+/// Two rules may agree by chance, but not those of many.
 constexpr double share_of_many = 1.0 / 16.0;
-constexpr double believed_doubt = 4.0;
+constexpr double believed_doubt = 3.0;
 
 /// More than any light: a rough value will do.
 constexpr double anything = std::numeric_limits<double>::infinity();

@@ -181,7 +181,7 @@ double illuminance_by_places(const Scene& scene,
     return sum;
 }
 
-/// METHODS eq. (134): what a plan knows of several luminaires at once may be wrong by 3e-4 of
+/// METHODS eq. (134): what a plan knows of several luminaires at once may be wrong by 2e-4 of
 /// it as two rules tell it. A random table is the worst case: every node is a kink. The last
 /// scenes have many luminaires, of which most bring so little that rough values will do.
 TEST(DirectLight, KnowsItsOpeningsAsWellAsItMatters) {
