@@ -34,6 +34,10 @@ constexpr double variance_of_tree = 0.0015;
 constexpr std::size_t fewest_points_of_a_tree = 4096;
 constexpr std::size_t fewest_paths_of_a_tree = 4096;
 
+/// Gather rays for all light that meets mirrors, and so many are enough.
+constexpr double rays_of_all_mirrors = 256.0;
+constexpr double most_rays_by_mirrors = 32.0;
+
 /// A tree is taken where it should save at least this share: costs are not known better.
 constexpr double least_gain = 0.15;
 
@@ -106,7 +110,9 @@ finish_class(const SharedTask& task, std::size_t c, std::size_t paths, Weighing 
     const double gathering = task.reach.share(c, paths);
     ByDoublings best;
     for (std::size_t draws = fewest_draws; draws <= most_draws; draws *= 2)
-        for (std::size_t directions = 1; directions <= most_directions; directions *= 2)
+        for (std::size_t directions = task.costs.fewest_directions;
+             directions <= most_directions;
+             directions *= 2)
             for (std::size_t looks = 1; looks <= most_looks; looks *= 2) {
                 const PointEffort e{draws, directions, looks};
                 const double variance = model.of(paths, e, weighing, rays) + model.of_direct(e);
@@ -181,6 +187,11 @@ std::vector<std::size_t> paths_of_trees(const SharedTask& task) {
 double price_of(const Outcome& o) { return o.variance * o.cost; }
 
 } // namespace
+
+std::size_t fewest_rays_by_mirrors(double share) noexcept {
+    const double rays = std::clamp(rays_of_all_mirrors * share, 1.0, most_rays_by_mirrors);
+    return std::bit_ceil(static_cast<std::size_t>(std::ceil(rays)));
+}
 
 double GatherReach::farthest() const noexcept {
     return std::sqrt(area_ / static_cast<double>(fewest_paths));
@@ -317,7 +328,7 @@ Effort balance_effort(const SharedTask& task, std::size_t paths, Weighing weighi
                                        most_draws),
                             best_count(task.models[c].directions * task.share_of_rays(c, paths),
                                        price * direction,
-                                       1,
+                                       task.costs.fewest_directions,
                                        most_directions),
                             best_count(task.models[c].direct,
                                        price * task.costs.look * task.models[c].look_samples,

@@ -103,6 +103,8 @@ public:
     [[nodiscard]] std::vector<Message> notices() const;
 
 private:
+    [[nodiscard]] Message head_notice() const;
+
     /// In place of the unit in which a point changed to tracing.
     static constexpr std::uint32_t unchanged = ~0U;
 

@@ -17,6 +17,9 @@ std::string in_millimetres(double metres) {
     return text + " mm";
 }
 
+/// Light that is left out is told about if it may be more than this, of what meets mirrors.
+constexpr double worth_a_notice = 1e-3;
+
 } // namespace
 
 std::string Engine::describe() const {
@@ -77,8 +80,31 @@ std::string Engine::describe() const {
 }
 
 std::vector<Message> Engine::notices() const {
-    if (settings_.estimator != Estimator::photometer_head)
-        return {};
+    std::vector<Message> all;
+    if (settings_.estimator == Estimator::photometer_head)
+        all.push_back(head_notice());
+    const auto points = std::ranges::count_if(scene_->luminaires, [](const Luminaire& l) {
+        return l.opening.form == OpeningForm::point && in_lumen(l.flux) > 0.0;
+    });
+    const double lost = images_.share_without_image();
+    if (points > 0 && lost > worth_a_notice)
+        all.push_back(
+            {"calculation",
+             fmt::format(
+                 "{} luminaire{} as points, and no ray meets a point by chance: of "
+                 "their light that reaches a place by mirrors alone, {} chains of "
+                 "mirrors are followed; the others would bring at most {:.1f} % of what "
+                 "meets mirrors and are left out",
+                 points,
+                 points == 1 ? " shines" : "s shine",
+                 images_.chains().size(),
+                 100.0 * lost),
+             "Give the luminaire types an \"opening\" with a size, and all of it is counted"});
+    return all;
+}
+
+/// What the photometer head measures instead of points.
+Message Engine::head_notice() const {
     std::string text = "reflected light is the mean over a photometer head of radius "
                        + in_millimetres(settings_.photometer_head_radius)
                        + ", not the value at the point (the difference is r^2/8 times the "
@@ -89,7 +115,7 @@ std::vector<Message> Engine::notices() const {
     if (study_.without_head() > 0)
         text += "; points that are no planes and have no head: "
                 + std::to_string(study_.without_head());
-    return {{"calculation", text, "For values at the points take another estimator"}};
+    return {"calculation", text, "For values at the points take another estimator"};
 }
 
 } // namespace isolux

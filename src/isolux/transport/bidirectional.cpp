@@ -49,9 +49,10 @@ struct SubpathRay {
     UnitVector3 w;
     Rgb carried;
     PartialWeights weight;
-    double edge = 0.0;           ///< m since the last vertex, straight through panes
-    bool by_mirror = false;      ///< the last vertex was a mirror
-    std::size_t reflections = 0; ///< mirrors since the receiver, while nothing else was met
+    double edge = 0.0;      ///< m since the last vertex, straight through panes
+    bool by_mirror = false; ///< the last vertex was a mirror
+    /// Mirrors since the receiver, while nothing else was met: MirrorImages::follow.
+    std::uint32_t chain = MirrorImages::no_mirror;
     bool met_diffuse = false;
     bool only_mirrors = true;
 };
@@ -60,6 +61,7 @@ struct SubpathRay {
 /// diffuse surface; `arrive(ray, hit)` adds what only the first edge needs.
 template <class Look, class Arrive, class Meet>
 void walk(const Scene& scene,
+          const MirrorImages& images,
           SubpathRay ray,
           NumberSequence& numbers,
           std::uint64_t& rays,
@@ -125,7 +127,8 @@ void walk(const Scene& scene,
                 ray.carried = (albedo / survival) * ray.carried;
             ray.w = reflect(ray.w, hit->normal);
             ray.by_mirror = true;
-            ray.reflections += ray.met_diffuse ? 0 : 1;
+            if (!ray.met_diffuse)
+                ray.chain = images.follow(ray.chain, hit->triangle);
         }
     }
 }
@@ -168,6 +171,7 @@ struct Pair {
             1.0, emit, cosine_at_opening(emission, start.from, start.direction));
         walk(
             scene,
+            images,
             ray,
             numbers,
             rays,
@@ -266,7 +270,7 @@ struct Pair {
     /// that no one else answers for, behind mirrors.
     [[nodiscard]] Rgb met_openings(const SubpathRay& ray,
                                    const std::optional<SurfaceHit>& hit) const {
-        if (!ray.met_diffuse && (ray.reflections == 0 || images.covers(ray.reflections)))
+        if (!ray.met_diffuse && ray.chain != MirrorImages::no_image)
             return {};
         const double reach = hit ? hit->distance + body_slack : 1e30;
         Rgb sum;
@@ -359,6 +363,7 @@ Rgb trace_pair(const Pair& pair) {
     ray.weight = start_sensor_subpath(static_cast<double>(light_paths_per_sample), pdf);
     walk(
         pair.scene,
+        pair.images,
         ray,
         pair.numbers,
         pair.rays,

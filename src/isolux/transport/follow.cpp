@@ -64,6 +64,7 @@ std::optional<Meeting> meet_surface(const Scene& scene,
 }
 
 Onward go_on(const Scene& scene,
+             const MirrorImages& images,
              const Branch& ray,
              const SurfaceHit& hit,
              const SurfaceEvent& event,
@@ -75,12 +76,14 @@ Onward go_on(const Scene& scene,
                    ray.w,
                    ray.throughput * event.straight,
                    ray.travelled + hit.distance,
-                   ray.reflections};
+                   ray.reflections,
+                   ray.chain};
     Branch mirrored{scene.caster.offset_point(hit.position, hit.normal),
                     reflect(ray.w, hit.normal),
                     ray.throughput * event.mirror,
                     0.0,
-                    ray.reflections + 1};
+                    ray.reflections + 1,
+                    images.follow(ray.chain, hit.triangle)};
     bool passes = event.straight > 0.0;
     bool returns = event.mirror > 0.0;
     if (ray.reflections >= certain_reflections) {

@@ -25,6 +25,7 @@ struct Branch {
     double throughput = 1.0;
     double travelled = 0.0; ///< m since the receiver (straight) or the last mirror
     std::size_t reflections = 0;
+    std::uint32_t chain = MirrorImages::no_mirror; ///< of mirrors, MirrorImages::follow
 };
 
 /// Where a branch met a diffuse surface.
@@ -62,6 +63,7 @@ struct Onward {
 /// panes came before; the second is played for at panes. From then on at most one of the two
 /// goes on.
 [[nodiscard]] Onward go_on(const Scene& scene,
+                           const MirrorImages& images,
                            const Branch& ray,
                            const SurfaceHit& hit,
                            const SurfaceEvent& event,
@@ -92,7 +94,7 @@ Rgb follow(const Scene& scene,
         waiting.pop_back();
         const auto hit = scene.caster.find_first_hit(ray.origin, ray.w);
         ++rays;
-        if (ray.reflections > 0 && !images.covers(ray.reflections))
+        if (ray.reflections > 0 && !images.covers(ray.chain))
             visit_seen_openings(emission,
                                 ray,
                                 hit ? hit->distance + 1e-4 : 1e30,
@@ -102,7 +104,7 @@ Rgb follow(const Scene& scene,
         const SurfaceEvent event = surface_event(scene, ray, *hit);
         if (const auto meeting = meet_surface(scene, ray, *hit, event))
             meet(*meeting);
-        const Onward onward = go_on(scene, ray, *hit, event, numbers);
+        const Onward onward = go_on(scene, images, ray, *hit, event, numbers);
         waiting.insert(waiting.end(),
                        onward.branches.begin(),
                        onward.branches.begin() + static_cast<std::ptrdiff_t>(onward.count));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <queue>
+#include <utility>
 
 #include "isolux/transport/surface_event.h"
 
@@ -10,9 +12,15 @@ namespace isolux {
 
 namespace {
 
-/// More chains than this are left to the gather rays.
-constexpr std::size_t most_chains = 96;
+/// More chains than this are left to the gather rays, the weakest.
+constexpr std::size_t most_chains = 256;
 constexpr std::size_t most_reflections = 4;
+
+/// ... and longer chains than one whose weight is below this.
+constexpr double least_weight = 2e-4;
+
+/// More planes than this are not told apart.
+constexpr std::size_t most_mirrors = 512;
 
 bool is_mirror(const Material& m) noexcept {
     if (const auto* opaque = std::get_if<Opaque>(&m.scattering))
@@ -39,6 +47,7 @@ bool same_plane(const MirrorImages::Mirror& m,
 }
 
 void grow(MirrorImages::Mirror& m, const SceneTriangle& t) noexcept {
+    m.area += t.area;
     for (const Point3& p : t.corner) {
         m.lower = {
             std::min(m.lower.x, p.x), std::min(m.lower.y, p.y), std::min(m.lower.z, p.z)};
@@ -50,6 +59,12 @@ void grow(MirrorImages::Mirror& m, const SceneTriangle& t) noexcept {
 } // namespace
 
 MirrorImages::MirrorImages(const Scene& scene) {
+    find_mirrors(scene);
+    choose_chains();
+    number_chains();
+}
+
+void MirrorImages::find_mirrors(const Scene& scene) {
     const double size = distance(scene.bounds.lower, scene.bounds.upper);
     const double tolerance = 1e-7 * (1.0 + size);
     mirror_of_triangle_.reserve(scene.triangles.size());
@@ -60,54 +75,107 @@ MirrorImages::MirrorImages(const Scene& scene) {
             continue;
         }
         std::size_t m = 0;
-        // A scene with more planes than could ever be imaged need not tell them apart.
-        if (mirrors_.size() <= most_chains) {
-            while (m < mirrors_.size() && !same_plane(mirrors_[m], t, tolerance))
-                ++m;
-            if (m == mirrors_.size())
-                mirrors_.push_back({t.corner[0], t.normal, t.corner[0], t.corner[0], 0.0});
-        }
+        while (m < mirrors_.size() && !same_plane(mirrors_[m], t, tolerance))
+            ++m;
+        if (m == mirrors_.size() && m < most_mirrors)
+            mirrors_.push_back({t.corner[0], t.normal, t.corner[0], t.corner[0]});
         if (m < mirrors_.size()) {
             grow(mirrors_[m], t);
             mirrors_[m].strength =
                 std::max(mirrors_[m].strength, strength_of(scene.material(t.material)));
+        } else {
+            has_all_ = false;
         }
         mirror_of_triangle_.push_back(m);
     }
     for (std::size_t& m : mirror_of_triangle_)
         m = std::min(m, mirrors_.size());
+}
 
-    // Grow chains order by order while they stay few; a mirror never follows itself.
-    std::vector<std::vector<std::uint32_t>> last{{}};
-    while (order_ < most_reflections && !mirrors_.empty()) {
-        std::vector<std::vector<std::uint32_t>> next;
-        for (const auto& chain : last)
-            for (std::uint32_t m = 0; m < mirrors_.size(); ++m) {
-                if (!chain.empty() && chain.back() == m)
-                    continue;
-                next.push_back(chain);
-                next.back().push_back(m);
-            }
-        if (next.empty() || chains_.size() + next.size() > most_chains)
-            break;
-        chains_.insert(chains_.end(), next.begin(), next.end());
-        last = std::move(next);
-        ++order_;
+/// Those of the largest weight t, METHODS eq. (125); a chain is always better than a longer one
+/// that begins like it.
+void MirrorImages::choose_chains() {
+    double largest = 0.0;
+    double strongest = 0.0;
+    for (const Mirror& m : mirrors_) {
+        largest = std::max(largest, m.area);
+        strongest = std::max(strongest, m.strength);
     }
-    if (mirrors_.size() == 1)
-        order_ = most_reflections; // no longer chain exists
 
+    struct Candidate {
+        double weight = 1.0;
+        std::vector<std::uint32_t> mirrors;
+
+        bool operator<(const Candidate& other) const {
+            return weight != other.weight ? weight < other.weight : mirrors > other.mirrors;
+        }
+    };
+
+    std::priority_queue<Candidate> waiting;
+    const auto lengthen = [&](const Candidate& c) {
+        for (std::uint32_t m = 0; m < mirrors_.size() && c.mirrors.size() < most_reflections;
+             ++m) {
+            if (!c.mirrors.empty() && c.mirrors.back() == m)
+                continue; // a mirror never follows itself
+            Candidate longer = c;
+            longer.mirrors.push_back(m);
+            longer.weight *= mirrors_[m].strength * std::sqrt(mirrors_[m].area / largest);
+            if (c.mirrors.empty() || longer.weight >= least_weight)
+                waiting.push(std::move(longer));
+        }
+    };
+    lengthen({});
+    std::vector<Candidate> chosen;
+    for (; !waiting.empty() && chosen.size() < most_chains; waiting.pop()) {
+        chosen.push_back(waiting.top());
+        lengthen(chosen.back());
+    }
+    // Short ones first, so that every chain follows the one it lengthens.
+    std::sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) {
+        return a.mirrors.size() != b.mirrors.size() ? a.mirrors.size() < b.mirrors.size()
+                                                    : a.mirrors < b.mirrors;
+    });
     double sum = 0.0;
-    for (const auto& chain : chains_) {
+    for (Candidate& c : chosen) {
         double strength = 1.0;
-        for (const std::uint32_t m : chain)
+        for (const std::uint32_t m : c.mirrors)
             strength *= mirrors_[m].strength;
-        sum += strength;
         strengths_.push_back(strength);
-        cumulative_.push_back(sum);
+        cumulative_.push_back(sum += c.weight);
+        chains_.push_back(std::move(c.mirrors));
     }
     for (double& c : cumulative_)
         c /= std::max(sum, 1.0);
+
+    // The longest length of which all chains are imaged.
+    std::size_t order = 0;
+    double of_length = static_cast<double>(mirrors_.size());
+    while (has_all_ && order < most_reflections
+           && static_cast<double>(std::ranges::count_if(
+                  chains_, [order](const auto& c) { return c.size() == order + 1; }))
+                  == of_length) {
+        ++order;
+        of_length *= static_cast<double>(mirrors_.size() - 1);
+    }
+    if (strongest > 0.0 && !(mirrors_.size() == 1 && has_all_))
+        share_without_image_ = std::min(
+            1.0, std::pow(strongest, static_cast<double>(order + 1)) / (1.0 - strongest));
+}
+
+void MirrorImages::number_chains() {
+    next_.assign((chains_.size() + 1) * mirrors_.size(), no_image);
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+        std::uint32_t at = no_mirror;
+        for (std::size_t k = 0; k + 1 < chains_[c].size(); ++k)
+            at = next_[at * mirrors_.size() + chains_[c][k]];
+        next_[at * mirrors_.size() + chains_[c].back()] = c + 1;
+    }
+}
+
+std::uint32_t MirrorImages::follow(std::uint32_t chain, TriangleId triangle) const noexcept {
+    const std::size_t m = mirror_of(triangle);
+    return chain == no_image || m >= mirrors_.size() ? no_image
+                                                     : next_[chain * mirrors_.size() + m];
 }
 
 MirrorImages::DrawnChain MirrorImages::draw_chain(double u) const noexcept {

@@ -7,11 +7,11 @@
 
 namespace isolux {
 
-/// The planar mirrors of a scene (panes included: they reflect too) and the rule which chains
-/// of mirror reflections between a luminaire and a receiver are evaluated by image points,
-/// exactly and without noise, in the direct part. All other chains from luminous openings are
-/// found by gather rays; from point sources they are left out, and METHODS "Planar mirrors"
-/// bounds them.
+/// The planar mirrors of a scene (panes included: they reflect too) and which chains of mirror
+/// reflections between a luminaire and a receiver are evaluated by image points, exactly and
+/// without noise, in the direct part: those that may bring most, METHODS "Planar mirrors". All
+/// other chains from luminous openings are found by gather rays; from point sources they are
+/// left out.
 class MirrorImages {
 public:
     explicit MirrorImages(const Scene& scene);
@@ -22,12 +22,10 @@ public:
         Point3 lower; ///< box around its triangles
         Point3 upper;
         double strength = 0.0; ///< about what it reflects at most
+        double area = 0.0;     ///< m2
     };
 
     [[nodiscard]] const std::vector<Mirror>& mirrors() const noexcept { return mirrors_; }
-
-    /// Longest chain that is evaluated by images; 0 if there are too many mirrors for images.
-    [[nodiscard]] std::size_t order() const noexcept { return order_; }
 
     /// Which mirror a triangle belongs to; mirrors().size() if to none.
     [[nodiscard]] std::size_t mirror_of(TriangleId triangle) const noexcept {
@@ -36,12 +34,20 @@ public:
 
     [[nodiscard]] bool scene_has_mirrors() const noexcept { return !mirrors_.empty(); }
 
-    /// Whether a chain of `reflections` mirror reflections is the images' business.
-    [[nodiscard]] bool covers(std::size_t reflections) const noexcept {
-        return reflections <= order_;
+    /// A ray from a receiver that has met no mirror yet, and one whose chain has no image.
+    static constexpr std::uint32_t no_mirror = 0;
+    static constexpr std::uint32_t no_image = ~std::uint32_t{0};
+
+    /// What a ray's chain becomes by a reflection at a triangle. @param chain  no_mirror or
+    /// what this function gave
+    [[nodiscard]] std::uint32_t follow(std::uint32_t chain, TriangleId triangle) const noexcept;
+
+    /// Whether a ray's chain is the images' business.
+    [[nodiscard]] static bool covers(std::uint32_t chain) noexcept {
+        return chain != no_image && chain != no_mirror;
     }
 
-    /// The mirrors' sequences of 1 to order() reflections, nearest to the receiver first.
+    /// The imaged sequences of mirrors, nearest to the receiver first.
     [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& chains() const noexcept {
         return chains_;
     }
@@ -51,7 +57,12 @@ public:
         return strengths_[chain];
     }
 
-    /// A chain for one sample, or none; strong ones are drawn more often, METHODS eq. (125).
+    /// l of METHODS eq. (143): the most that chains without an image can bring, as a share of
+    /// the light that meets mirrors.
+    [[nodiscard]] double share_without_image() const noexcept { return share_without_image_; }
+
+    /// A chain for one sample, or none; those that may bring more are drawn more often, METHODS
+    /// eq. (125).
     struct DrawnChain {
         const std::vector<std::uint32_t>* chain = nullptr; ///< null: none
         double probability = 0.0;
@@ -65,12 +76,18 @@ public:
     }
 
 private:
+    void find_mirrors(const Scene& scene);
+    void choose_chains();
+    void number_chains();
+
     std::vector<double> strengths_;  ///< of the chains
     std::vector<double> cumulative_; ///< probabilities of the chains; the last is at most 1
     std::vector<Mirror> mirrors_;
     std::vector<std::size_t> mirror_of_triangle_;
     std::vector<std::vector<std::uint32_t>> chains_;
-    std::size_t order_ = 0;
+    std::vector<std::uint32_t> next_; ///< [no_mirror or 1 + chain][mirror]: 1 + longer chain
+    double share_without_image_ = 0.0;
+    bool has_all_ = true; ///< mirrors of the scene
 };
 
 /// Light of one emission point that reaches a place over a chain of mirrors.

@@ -31,32 +31,33 @@ Rgb MirroredLight::estimate(const Point3& at,
                             const UnitVector3& normal,
                             const std::array<double, 4>& numbers,
                             std::uint64_t& rays) const noexcept {
-    const auto& chains = images_->chains();
-    if (chains.empty() || emission_->total_flux() <= 0.0)
+    if (images_->chains().empty() || emission_->total_flux() <= 0.0)
         return {};
-    const double count = static_cast<double>(chains.size());
     const std::size_t draws = is_strong_ ? draws_at_mirrors : 1;
     Rgb sum;
     for (std::size_t d = 0; d < draws; ++d) {
-        // Chains and luminaires are drawn evenly, with one offset; places on openings too.
+        // Chains and luminaires are drawn systematically, with one offset; places on openings
+        // too.
         const auto turned = [&](double u) {
             const double v = u + static_cast<double>(d) / static_cast<double>(draws);
             return v < 1.0 ? v : v - 1.0;
         };
-        const std::size_t c =
-            std::min(chains.size() - 1, static_cast<std::size_t>(turned(numbers[0]) * count));
-        const TowardsSample sample =
-            emission_->sample_towards(image_of(*images_, chains[c], at),
-                                      turned(numbers[1]),
-                                      turned(numbers[2]),
-                                      turned(numbers[3]));
+        const auto [chain, among_all] =
+            images_->draw_chain(turned(numbers[0]) * images_->draws());
+        if (chain == nullptr)
+            continue;
+        const double probability = among_all / images_->draws();
+        const TowardsSample sample = emission_->sample_towards(image_of(*images_, *chain, at),
+                                                               turned(numbers[1]),
+                                                               turned(numbers[2]),
+                                                               turned(numbers[3]));
         if (!(sample.density > 0.0))
             continue;
         const ImageLight light =
-            trace_image(*scene_, *emission_, *images_, chains[c], at, sample, rays);
+            trace_image(*scene_, *emission_, *images_, *chain, at, sample, rays);
         const double cosine = dot(normal, light.arrival);
         if (light.strength > 0.0 && cosine > 0.0)
-            sum += (count * light.strength * cosine / sample.density)
+            sum += (light.strength * cosine / (probability * sample.density))
                    * emission_->colour(sample.from.luminaire);
     }
     return (1.0 / static_cast<double>(draws)) * sum;

@@ -107,7 +107,7 @@ void WalkFront::trace(std::span<const Ray> rays, const LightLedger& ledger) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Branch& branch = rays[i].branch;
         const auto hit = scene_->caster.find_first_hit(branch.origin, branch.w);
-        if (branch.reflections > 0 && !images_->covers(branch.reflections)) {
+        if (branch.reflections > 0 && !images_->covers(branch.chain)) {
             const Walk& walk = walks_[rays[i].walk];
             visit_seen_openings(*emission_,
                                 branch,
@@ -139,7 +139,7 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
     }
     if (offered == 0.0 && walk.passed_on > 0.0)
         collecting_.push_back(ray.walk);
-    const Onward onward = go_on(*scene_, ray.branch, hit, event, walk.numbers);
+    const Onward onward = go_on(*scene_, *images_, ray.branch, hit, event, walk.numbers);
     for (std::size_t b = 0; b < onward.count; ++b)
         if (!walk.into_corner || onward.branches[b].reflections == 0)
             following_.push_back({onward.branches[b], ray.walk});

@@ -69,6 +69,17 @@ TEST(Effort, IsLeastWhereNothingIsAskedFor) {
     EXPECT_EQ(c.units, 1U);
 }
 
+TEST(Effort, SendsRaysWhereOpeningsShineByMirrorsWithoutImages) {
+    EXPECT_EQ(fewest_rays_by_mirrors(0.0), 1U);
+    EXPECT_EQ(fewest_rays_by_mirrors(0.001), 1U);
+    EXPECT_EQ(fewest_rays_by_mirrors(0.01), 4U);
+    EXPECT_EQ(fewest_rays_by_mirrors(1.0), 32U);
+    SharedTask task = open_task({}, 100);
+    task.costs.fewest_directions = 4;
+    EXPECT_EQ(choose_effort(task).effort.at[0].directions, 4U);
+    EXPECT_EQ(balance_effort(task, 1024).at[0].directions, 4U);
+}
+
 TEST(Effort, DoesNotShrinkWhereTheFirstLookCannotReachTheGoal) {
     for (const double farther : {1.0, 100.0, 1e6}) {
         const VarianceModel far{.paths = 1e7 * farther,

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -74,6 +76,79 @@ TEST(MirrorImages, OfARoomWithoutMirrorsAreNone) {
     const MirrorImages images(scene);
     EXPECT_EQ(images.draws(), 0.0);
     EXPECT_EQ(images.draw_chain(0.0).chain, nullptr);
+}
+
+/// Two mirrors that face each other and many small glossy sheets.
+Scene mirrors_and_trinkets(std::size_t trinkets) {
+    test::Builder b;
+    const MaterialId mirror =
+        b.add_material({"mirror", Opaque{Rgb::grey(0.0), 0.8}, Sides::both});
+    const MaterialId glossy =
+        b.add_material({"glossy", Opaque{Rgb::grey(0.5), 0.05}, Sides::both});
+    const MaterialId grey = b.add_diffuse(0.5);
+    b.add_room({0, 0, 0}, {9, 3, 3}, grey, grey, grey);
+    for (std::size_t k = 0; k < trinkets; ++k)
+        b.add_quad(
+            {0.5 + 0.01 * static_cast<double>(k), 1, 0.5}, {0, 0.05, 0}, {0, 0, 0.05}, glossy);
+    b.add_quad({0.1, 0.1, 0.1}, {0, 2.8, 0}, {0, 0, 2.8}, mirror);
+    b.add_quad({8.9, 0.1, 0.1}, {0, 2.8, 0}, {0, 0, 2.8}, mirror);
+    b.add_panel({1.2, 1.0, 2.9}, {0, 0.6, 0}, {0.6, 0, 0}, 3000.0);
+    return b.build();
+}
+
+TEST(MirrorImages, AreOfTheChainsThatMayBringMost) {
+    constexpr std::uint32_t trinkets = 300;
+    const Scene scene = mirrors_and_trinkets(trinkets);
+    const MirrorImages images(scene);
+    ASSERT_EQ(images.mirrors().size(), trinkets + 2U);
+    const auto is_imaged = [&](const std::vector<std::uint32_t>& chain) {
+        return std::ranges::count(images.chains(), chain) == 1;
+    };
+    constexpr std::uint32_t a = trinkets, b = trinkets + 1;
+    EXPECT_TRUE(is_imaged({a, b, a, b}) && is_imaged({b, a, b, a}));
+    EXPECT_TRUE(is_imaged({0}));
+    EXPECT_FALSE(is_imaged({0, 1}));              // two glints of a trinket
+    EXPECT_LE(images.chains().size(), 256U);      // for speed
+    EXPECT_GT(images.share_without_image(), 0.0); // some of one reflection have none
+}
+
+TEST(MirrorImages, KnowTheChainsOfRays) {
+    const Scene scene = mirrors_and_trinkets(3);
+    const MirrorImages images(scene);
+    std::vector<TriangleId> triangle(images.mirrors().size()); // one of each mirror
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t)
+        if (images.mirror_of(TriangleId(t)) < triangle.size())
+            triangle[images.mirror_of(TriangleId(t))] = TriangleId(t);
+    std::set<std::uint32_t> numbers;
+    for (const auto& chain : images.chains()) {
+        std::uint32_t ray = MirrorImages::no_mirror;
+        for (const std::uint32_t m : chain)
+            ray = images.follow(ray, triangle[m]);
+        EXPECT_TRUE(MirrorImages::covers(ray));
+        numbers.insert(ray);
+    }
+    EXPECT_EQ(numbers.size(), images.chains().size()); // each has its own
+    EXPECT_FALSE(MirrorImages::covers(MirrorImages::no_mirror));
+    // Five reflections have no image, nor has whatever follows them.
+    std::uint32_t ray = MirrorImages::no_mirror;
+    for (int k = 0; k < 4; ++k)
+        ray = images.follow(ray, triangle[3 + k % 2]);
+    EXPECT_TRUE(MirrorImages::covers(ray));
+    ray = images.follow(ray, triangle[3]);
+    EXPECT_FALSE(MirrorImages::covers(ray));
+    EXPECT_FALSE(MirrorImages::covers(images.follow(ray, triangle[4])));
+}
+
+TEST(MirrorImages, OfOneMirrorAreAllThereAre) {
+    test::Builder b;
+    const MaterialId grey = b.add_diffuse(0.5);
+    const MaterialId glossy =
+        b.add_material({"glossy", Opaque{Rgb::grey(0.5), 0.2}, Sides::both});
+    b.add_room({0, 0, 0}, {3, 3, 3}, glossy, grey, grey);
+    const Scene scene = b.build();
+    const MirrorImages images(scene);
+    ASSERT_EQ(images.chains().size(), 1U);
+    EXPECT_EQ(images.share_without_image(), 0.0);
 }
 
 } // namespace
