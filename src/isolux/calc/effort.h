@@ -60,7 +60,7 @@ private:
 
 /// Gather rays that a point must send where openings shine by chains of mirrors that only they
 /// find: a pilot that met no such chain knows nothing of them. METHODS eq. (143).
-/// @param share  MirrorImages::share_without_image
+/// @param share  MirrorImages::expected_without_image
 [[nodiscard]] std::size_t fewest_rays_by_mirrors(double share) noexcept;
 
 /// What is spent on a point in one unit of one replicate, beside the light paths.

@@ -152,7 +152,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     if (std::ranges::any_of(scene_->luminaires, [](const Luminaire& l) {
             return l.opening.form != OpeningForm::point;
         }))
-        costs_.fewest_directions = fewest_rays_by_mirrors(images_.share_without_image());
+        costs_.fewest_directions = fewest_rays_by_mirrors(images_.expected_without_image());
     const bool connects_to_paths = !settings_.direct_only
                                    && settings_.estimator != Estimator::path_tracing
                                    && !StudyEstimators::serves(settings_.estimator);

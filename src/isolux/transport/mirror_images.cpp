@@ -19,6 +19,10 @@ constexpr std::size_t most_reflections = 4;
 /// ... and longer chains than one whose weight is below this.
 constexpr double least_weight = 2e-4;
 
+/// Mirrors that could mirror less than this of evenly spread light have no images: facets of
+/// round things.
+constexpr double least_share = 1e-5;
+
 /// More planes than this are not told apart.
 constexpr std::size_t most_mirrors = 512;
 
@@ -56,11 +60,16 @@ void grow(MirrorImages::Mirror& m, const SceneTriangle& t) noexcept {
     }
 }
 
+/// What mirrors reflect more than n times, METHODS eq. (143). @param strongest  of their shares
+double bound_beyond(double strongest, std::size_t n) noexcept {
+    return std::min(1.0, std::pow(strongest, static_cast<double>(n + 1)) / (1.0 - strongest));
+}
+
 } // namespace
 
 MirrorImages::MirrorImages(const Scene& scene) {
     find_mirrors(scene);
-    choose_chains();
+    choose_chains(scene.total_area);
     number_chains();
 }
 
@@ -84,7 +93,7 @@ void MirrorImages::find_mirrors(const Scene& scene) {
             mirrors_[m].strength =
                 std::max(mirrors_[m].strength, strength_of(scene.material(t.material)));
         } else {
-            has_all_ = false;
+            small_ += strength_of(scene.material(t.material)) * t.area;
         }
         mirror_of_triangle_.push_back(m);
     }
@@ -94,13 +103,17 @@ void MirrorImages::find_mirrors(const Scene& scene) {
 
 /// Those of the largest weight t, METHODS eq. (125); a chain is always better than a longer one
 /// that begins like it.
-void MirrorImages::choose_chains() {
+void MirrorImages::choose_chains(double all_surfaces) {
     double largest = 0.0;
     double strongest = 0.0;
     for (const Mirror& m : mirrors_) {
         largest = std::max(largest, m.area);
         strongest = std::max(strongest, m.strength);
     }
+
+    const auto counts = [all_surfaces](const Mirror& m) {
+        return m.area > 0.0 && m.strength * m.area >= least_share * all_surfaces;
+    };
 
     struct Candidate {
         double weight = 1.0;
@@ -117,6 +130,8 @@ void MirrorImages::choose_chains() {
              ++m) {
             if (!c.mirrors.empty() && c.mirrors.back() == m)
                 continue; // a mirror never follows itself
+            if (!counts(mirrors_[m]))
+                continue;
             Candidate longer = c;
             longer.mirrors.push_back(m);
             longer.weight *= mirrors_[m].strength * std::sqrt(mirrors_[m].area / largest);
@@ -147,19 +162,25 @@ void MirrorImages::choose_chains() {
     for (double& c : cumulative_)
         c /= std::max(sum, 1.0);
 
-    // The longest length of which all chains are imaged.
+    // The longest length of which all chains of mirrors that count are imaged.
+    const auto counting = static_cast<double>(std::ranges::count_if(mirrors_, counts));
     std::size_t order = 0;
-    double of_length = static_cast<double>(mirrors_.size());
-    while (has_all_ && order < most_reflections
+    double of_length = counting;
+    while (order < most_reflections
            && static_cast<double>(std::ranges::count_if(
                   chains_, [order](const auto& c) { return c.size() == order + 1; }))
                   == of_length) {
         ++order;
-        of_length *= static_cast<double>(mirrors_.size() - 1);
+        of_length *= counting - 1.0;
     }
-    if (strongest > 0.0 && !(mirrors_.size() == 1 && has_all_))
-        share_without_image_ = std::min(
-            1.0, std::pow(strongest, static_cast<double>(order + 1)) / (1.0 - strongest));
+    for (const Mirror& m : mirrors_)
+        if (!counts(m))
+            small_ += m.strength * m.area;
+    // A mirror alone has no longer chain.
+    expected_without_image_ = counting > 1.0 ? bound_beyond(strongest, order) : 0.0;
+    share_without_image_ = small_ > 0.0 ? bound_beyond(strongest, 0) : expected_without_image_;
+    if (all_surfaces > 0.0)
+        expected_without_image_ += small_ / all_surfaces;
 }
 
 void MirrorImages::number_chains() {

@@ -61,6 +61,11 @@ public:
     /// the light that meets mirrors.
     [[nodiscard]] double share_without_image() const noexcept { return share_without_image_; }
 
+    /// The same of all light, where it is spread evenly: small mirrors meet little of it.
+    [[nodiscard]] double expected_without_image() const noexcept {
+        return expected_without_image_;
+    }
+
     /// A chain for one sample, or none; those that may bring more are drawn more often, METHODS
     /// eq. (125).
     struct DrawnChain {
@@ -77,7 +82,7 @@ public:
 
 private:
     void find_mirrors(const Scene& scene);
-    void choose_chains();
+    void choose_chains(double all_surfaces); ///< m2
     void number_chains();
 
     std::vector<double> strengths_;  ///< of the chains
@@ -87,7 +92,8 @@ private:
     std::vector<std::vector<std::uint32_t>> chains_;
     std::vector<std::uint32_t> next_; ///< [no_mirror or 1 + chain][mirror]: 1 + longer chain
     double share_without_image_ = 0.0;
-    bool has_all_ = true; ///< mirrors of the scene
+    double expected_without_image_ = 0.0;
+    double small_ = 0.0; ///< sum of strength times area over mirrors that never have an image
 };
 
 /// Light of one emission point that reaches a place over a chain of mirrors.

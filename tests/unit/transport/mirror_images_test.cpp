@@ -89,7 +89,7 @@ Scene mirrors_and_trinkets(std::size_t trinkets) {
     b.add_room({0, 0, 0}, {9, 3, 3}, grey, grey, grey);
     for (std::size_t k = 0; k < trinkets; ++k)
         b.add_quad(
-            {0.5 + 0.01 * static_cast<double>(k), 1, 0.5}, {0, 0.05, 0}, {0, 0, 0.05}, glossy);
+            {0.5 + 0.01 * static_cast<double>(k), 1, 0.5}, {0, 0.3, 0}, {0, 0, 0.3}, glossy);
     b.add_quad({0.1, 0.1, 0.1}, {0, 2.8, 0}, {0, 0, 2.8}, mirror);
     b.add_quad({8.9, 0.1, 0.1}, {0, 2.8, 0}, {0, 0, 2.8}, mirror);
     b.add_panel({1.2, 1.0, 2.9}, {0, 0.6, 0}, {0.6, 0, 0}, 3000.0);
@@ -137,6 +137,23 @@ TEST(MirrorImages, KnowTheChainsOfRays) {
     ray = images.follow(ray, triangle[3]);
     EXPECT_FALSE(MirrorImages::covers(ray));
     EXPECT_FALSE(MirrorImages::covers(images.follow(ray, triangle[4])));
+}
+
+TEST(MirrorImages, AreNotOfFacetsOfRoundThings) {
+    test::Builder b;
+    const MaterialId grey = b.add_diffuse(0.5);
+    const MaterialId chrome =
+        b.add_material({"chrome", Opaque{Rgb::grey(0.0), 0.6}, Sides::both});
+    b.add_room({0, 0, 0}, {9, 6, 3}, grey, grey, grey);
+    for (int k = 0; k < 100; ++k) // 4 mm x 300 mm each
+        b.add_quad({1.0 + 0.01 * k, 1, 0.1}, {0, 0.004, 0}, {0, 0, 0.3}, chrome);
+    Scene scene = b.build();
+    scene.total_area = 198.0;
+    const MirrorImages images(scene);
+    EXPECT_TRUE(images.chains().empty());
+    EXPECT_EQ(images.share_without_image(),
+              1.0); // of what meets chrome: all of it, for all we know
+    EXPECT_NEAR(images.expected_without_image(), 100 * 0.6 * 0.0012 / 198.0, 1e-9);
 }
 
 TEST(MirrorImages, OfOneMirrorAreAllThereAre) {
