@@ -38,9 +38,7 @@ struct DirectLight::Task {
                             std::uint32_t replicate,
                             std::uint32_t use,
                             std::uint32_t chain = 0) const noexcept {
-        const RandomStream stream(seed, StreamPurpose::direct, replicate);
-        const auto words = stream.words(receiver_index,
-                                        static_cast<std::uint32_t>(luminaire) + (chain << 24U));
+        const auto words = words_of(luminaire, replicate, chain, false);
         return {words[2 * use], words[2 * use + 1]};
     }
 
@@ -48,8 +46,20 @@ struct DirectLight::Task {
     [[nodiscard]] Pair turns(std::size_t luminaire,
                              std::uint32_t replicate,
                              std::uint32_t chain = 0) const noexcept {
-        constexpr std::uint32_t beyond_all_chains = 0x80;
-        return pair(luminaire, replicate, 0, beyond_all_chains + chain);
+        const auto words = words_of(luminaire, replicate, chain, true);
+        return {words[0], words[1]};
+    }
+
+    /// Seven bits of the chain, one for turns and the luminaire in one word; what chains have
+    /// beyond that beside the receiver.
+    [[nodiscard]] std::array<std::uint32_t, 4> words_of(std::size_t luminaire,
+                                                        std::uint32_t replicate,
+                                                        std::uint32_t chain,
+                                                        bool turns) const noexcept {
+        const std::uint32_t code = (chain & 0x7fU) | (turns ? 0x80U : 0U);
+        const RandomStream stream(seed, StreamPurpose::direct, replicate);
+        return stream.words(receiver_index + (std::uint64_t{chain >> 7U} << 40U),
+                            static_cast<std::uint32_t>(luminaire) + (code << 24U));
     }
 
     void keep(DirectPlan& plan, std::size_t luminaire, const Rgb& light) const {

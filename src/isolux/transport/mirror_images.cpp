@@ -60,16 +60,26 @@ void grow(MirrorImages::Mirror& m, const SceneTriangle& t) noexcept {
     }
 }
 
-/// What mirrors reflect more than n times, METHODS eq. (143). @param strongest  of their shares
-double bound_beyond(double strongest, std::size_t n) noexcept {
-    return std::min(1.0, std::pow(strongest, static_cast<double>(n + 1)) / (1.0 - strongest));
+/// What mirrors reflect more than n times, METHODS eq. (143): at the best by the two strongest
+/// in turn.
+double bound_beyond(double strongest, double second, std::size_t n) noexcept {
+    constexpr std::size_t enough = 1000;
+    double sum = 0.0;
+    double product = 1.0;
+    for (std::size_t k = 1; k <= n + enough; ++k) {
+        product *= k % 2 == 1 ? strongest : second;
+        sum += k > n ? product : 0.0;
+    }
+    return std::min(1.0, sum);
 }
 
 } // namespace
 
 MirrorImages::MirrorImages(const Scene& scene) {
     find_mirrors(scene);
-    choose_chains(scene.total_area);
+    choose_chains(scene.total_area, std::ranges::any_of(scene.luminaires, [](const auto& l) {
+                      return l.opening.form == OpeningForm::point;
+                  }));
     number_chains();
 }
 
@@ -103,16 +113,20 @@ void MirrorImages::find_mirrors(const Scene& scene) {
 
 /// Those of the largest weight t, METHODS eq. (125); a chain is always better than a longer one
 /// that begins like it.
-void MirrorImages::choose_chains(double all_surfaces) {
+void MirrorImages::choose_chains(double all_surfaces, bool has_points) {
     double largest = 0.0;
     double strongest = 0.0;
+    double second = 0.0;
     for (const Mirror& m : mirrors_) {
         largest = std::max(largest, m.area);
+        second = std::max(second, std::min(strongest, m.strength));
         strongest = std::max(strongest, m.strength);
     }
 
-    const auto counts = [all_surfaces](const Mirror& m) {
-        return m.area > 0.0 && m.strength * m.area >= least_share * all_surfaces;
+    // Of a point source nobody else finds even small ones.
+    const bool all_count = has_points && mirrors_.size() <= most_chains / 2;
+    const auto counts = [=](const Mirror& m) {
+        return m.area > 0.0 && (all_count || m.strength * m.area >= least_share * all_surfaces);
     };
 
     struct Candidate {
@@ -177,8 +191,9 @@ void MirrorImages::choose_chains(double all_surfaces) {
         if (!counts(m))
             small_ += m.strength * m.area;
     // A mirror alone has no longer chain.
-    expected_without_image_ = counting > 1.0 ? bound_beyond(strongest, order) : 0.0;
-    share_without_image_ = small_ > 0.0 ? bound_beyond(strongest, 0) : expected_without_image_;
+    expected_without_image_ = counting > 1.0 ? bound_beyond(strongest, second, order) : 0.0;
+    share_without_image_ =
+        small_ > 0.0 ? bound_beyond(strongest, second, 0) : expected_without_image_;
     if (all_surfaces > 0.0)
         expected_without_image_ += small_ / all_surfaces;
 }

@@ -10,8 +10,8 @@ namespace isolux {
 /// The planar mirrors of a scene (panes included: they reflect too) and which chains of mirror
 /// reflections between a luminaire and a receiver are evaluated by image points, exactly and
 /// without noise, in the direct part: those that may bring most, METHODS "Planar mirrors". All
-/// other chains from luminous openings are found by gather rays; from point sources they are
-/// left out.
+/// other chains from luminous openings are found by gather rays, where there are any; from
+/// point sources they are left out.
 class MirrorImages {
 public:
     explicit MirrorImages(const Scene& scene);
@@ -57,11 +57,11 @@ public:
         return strengths_[chain];
     }
 
-    /// l of METHODS eq. (143): the most that chains without an image can bring, as a share of
-    /// the light that meets mirrors.
+    /// The most that chains without an image can bring, as a share of the light that meets
+    /// mirrors, METHODS eq. (143); panes as they reflect light that falls nearly straight.
     [[nodiscard]] double share_without_image() const noexcept { return share_without_image_; }
 
-    /// The same of all light, where it is spread evenly: small mirrors meet little of it.
+    /// What they may bring where light is spread evenly: small mirrors meet little of it.
     [[nodiscard]] double expected_without_image() const noexcept {
         return expected_without_image_;
     }
@@ -82,7 +82,7 @@ public:
 
 private:
     void find_mirrors(const Scene& scene);
-    void choose_chains(double all_surfaces); ///< m2
+    void choose_chains(double all_surfaces, bool has_points);
     void number_chains();
 
     std::vector<double> strengths_;  ///< of the chains
