@@ -58,8 +58,8 @@ private:
         counts_{}; ///< by doublings of M until which
 };
 
-/// Gather rays that a point must send where openings shine by chains of mirrors that only they
-/// find: a pilot that met no such chain knows nothing of them. METHODS eq. (143).
+/// Rays that a point must send where openings shine by chains of mirrors that only rays find: a
+/// pilot that met no such chain knows nothing of them. METHODS eq. (143).
 /// @param share  MirrorImages::expected_without_image
 [[nodiscard]] std::size_t fewest_rays_by_mirrors(double share) noexcept;
 
@@ -134,7 +134,8 @@ struct UnitCosts {
     double look = 0.0;      ///< of one sample of direct light
     double point = 0.0;     ///< of a point's unit whatever it holds
     double vertices = 1.0;  ///< no cost: of one light path
-    /// No cost: gather rays that a point sends whatever the pilot thinks they are worth.
+    /// No cost: rays that a point sends, to gather or traced, whatever the pilot thinks they
+    /// are worth.
     std::size_t fewest_directions = 1;
     double tree_path = 0.0; ///< of one light path that goes into a tree
     double cut = 0.0;       ///< of the tree's cut at one point; 0: nobody asks for a tree

@@ -149,9 +149,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
                              pilot_.chain_length,
                              images_.draws(),
                              images_.scene_has_mirrors());
-    if (std::ranges::any_of(scene_->luminaires, [](const Luminaire& l) {
-            return l.opening.form != OpeningForm::point;
-        }))
+    if (!std::ranges::all_of(scene_->luminaires, shines_as_point))
         costs_.fewest_directions = fewest_rays_by_mirrors(images_.expected_without_image());
     const bool connects_to_paths = !settings_.direct_only
                                    && settings_.estimator != Estimator::path_tracing

@@ -83,23 +83,29 @@ std::vector<Message> Engine::notices() const {
     std::vector<Message> all;
     if (settings_.estimator == Estimator::photometer_head)
         all.push_back(head_notice());
-    const auto points = std::ranges::count_if(scene_->luminaires, [](const Luminaire& l) {
-        return l.opening.form == OpeningForm::point && in_lumen(l.flux) > 0.0;
-    });
+    const auto points = std::ranges::count_if(scene_->luminaires, shines_as_point);
     const double lost = images_.share_without_image();
-    if (points > 0 && lost > worth_a_notice)
-        all.push_back(
-            {"calculation",
-             fmt::format(
-                 "{} luminaire{} as points, and no ray meets a point by chance: of "
-                 "their light that reaches a place by mirrors alone, {} chains of "
-                 "mirrors are followed; the others would bring at most {:.1f} % of what "
-                 "meets mirrors and are left out",
-                 points,
-                 points == 1 ? " shines" : "s shine",
-                 images_.chains().size(),
-                 100.0 * lost),
-             "Give the luminaire types an \"opening\" with a size, and all of it is counted"});
+    if (lost <= worth_a_notice || (points == 0 && !settings_.direct_only))
+        return all;
+    const std::string chains = fmt::format(
+        "of light that reaches a place by mirrors alone, {} chains of mirrors are followed; "
+        "the "
+        "others would bring at most about {:.1f} % of what meets mirrors and are left out",
+        images_.chains().size(),
+        100.0 * lost);
+    if (settings_.direct_only)
+        all.push_back({"calculation",
+                       "only direct light is calculated: " + chains,
+                       "With reflected light, rays find them where openings have a size"});
+    else
+        all.push_back({"calculation",
+                       fmt::format("{} luminaire{} as points, and no ray meets a point by "
+                                   "chance: {}",
+                                   points,
+                                   points == 1 ? " shines" : "s shine",
+                                   chains),
+                       "Give the luminaire types an \"opening\" with a size, and all of it is "
+                       "counted"});
     return all;
 }
 

@@ -40,8 +40,9 @@ void look_where_it_matters(WorkPlan& plan, const Pilot& pilot) {
     }
 }
 
-void plan_tracing(WorkPlan& plan, const VarianceModel& model) {
-    const double wanted = std::clamp(model.samples, 4.0, most_samples_alone);
+void plan_tracing(WorkPlan& plan, const VarianceModel& model, std::size_t fewest) {
+    const double wanted = std::clamp(
+        model.samples, std::max(4.0, static_cast<double>(fewest)), most_samples_alone);
     plan.effort.samples = std::bit_ceil(static_cast<std::size_t>(wanted));
     const double units =
         model.samples / static_cast<double>(plan.effort.samples) + model.direct;
@@ -103,7 +104,7 @@ WorkPlan make_work_plan(const Settings& settings,
     WorkPlan plan;
     judge_classes(plan, task, settings, pilot);
     if (settings.estimator == Estimator::path_tracing) {
-        plan_tracing(plan, pilot.all);
+        plan_tracing(plan, pilot.all, costs.fewest_directions);
     } else {
         const EffortChoice choice = choose(settings, task);
         plan.effort = choice.effort;
@@ -122,7 +123,8 @@ WorkPlan make_work_plan(const Settings& settings,
     if (settings.fixed_units)
         plan.effort.samples = 32;
     else if (settings.estimator != Estimator::path_tracing)
-        plan.effort.samples = choose_samples(traced, plan.units);
+        plan.effort.samples =
+            std::max(choose_samples(traced, plan.units), costs.fewest_directions);
     return plan;
 }
 

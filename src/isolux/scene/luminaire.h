@@ -76,6 +76,11 @@ struct Luminaire {
     Lumen flux;      ///< all factors applied (interpolant's flux for a table)
 };
 
+/// Whether all its light comes from one place, which no ray meets by chance.
+[[nodiscard]] inline bool shines_as_point(const Luminaire& l) noexcept {
+    return l.opening.form == OpeningForm::point && in_lumen(l.flux) > 0.0;
+}
+
 /// Flux of the type itself: the interpolant's (rule L) times `flux_scale`, or the source's own.
 [[nodiscard]] Lumen luminous_flux(const LuminaireType& type) noexcept;
 

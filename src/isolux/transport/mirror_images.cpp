@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <span>
 #include <utility>
 
 #include "isolux/transport/surface_event.h"
@@ -63,33 +64,87 @@ void grow(MirrorImages::Mirror& m, const SceneTriangle& t) noexcept {
 /// What mirrors reflect more than n times, METHODS eq. (143): at the best by the two strongest
 /// in turn.
 double bound_beyond(double strongest, double second, std::size_t n) noexcept {
-    constexpr std::size_t enough = 1000;
-    double sum = 0.0;
-    double product = 1.0;
-    for (std::size_t k = 1; k <= n + enough; ++k) {
-        product *= k % 2 == 1 ? strongest : second;
-        sum += k > n ? product : 0.0;
+    const double both = strongest * second;
+    const auto product = [&](std::size_t k) {
+        return std::pow(both, static_cast<double>(k / 2)) * (k % 2 == 1 ? strongest : 1.0);
+    };
+    return both < 1.0 ? std::min(1.0, (product(n + 1) + product(n + 2)) / (1.0 - both)) : 1.0;
+}
+
+struct Candidate {
+    double weight = 1.0; ///< t of METHODS eq. (125)
+    std::vector<std::uint32_t> mirrors;
+
+    bool operator<(const Candidate& other) const {
+        return weight != other.weight ? weight < other.weight : mirrors > other.mirrors;
     }
-    return std::min(1.0, sum);
+};
+
+/// The chains of the largest weight, short ones first; a chain is always better than a longer
+/// one that begins like it. @param which  of the mirrors
+std::vector<Candidate> choose_best(std::span<const MirrorImages::Mirror> mirrors,
+                                   std::span<const std::uint32_t> which) {
+    double largest = 0.0;
+    for (const MirrorImages::Mirror& m : mirrors)
+        largest = std::max(largest, m.area);
+    std::priority_queue<Candidate> waiting;
+    const auto lengthen = [&](const Candidate& c) {
+        for (const std::uint32_t m : which) {
+            if (!c.mirrors.empty() && c.mirrors.back() == m)
+                continue; // a mirror never follows itself
+            Candidate longer = c;
+            longer.mirrors.push_back(m);
+            longer.weight *= mirrors[m].strength * std::sqrt(mirrors[m].area / largest);
+            if (c.mirrors.empty() || longer.weight >= least_weight)
+                waiting.push(std::move(longer));
+        }
+    };
+    lengthen({});
+    std::vector<Candidate> chosen;
+    for (; !waiting.empty() && chosen.size() < most_chains; waiting.pop()) {
+        chosen.push_back(waiting.top());
+        if (chosen.back().mirrors.size() < most_reflections)
+            lengthen(chosen.back());
+    }
+    std::ranges::sort(chosen, [](const Candidate& a, const Candidate& b) {
+        return a.mirrors.size() != b.mirrors.size() ? a.mirrors.size() < b.mirrors.size()
+                                                    : a.mirrors < b.mirrors;
+    });
+    return chosen;
+}
+
+/// The longest length of which all chains of so many mirrors are there.
+std::size_t complete_length(std::span<const Candidate> chains, std::size_t mirrors) {
+    std::size_t length = 0;
+    auto all = static_cast<double>(mirrors);
+    while (length < most_reflections
+           && static_cast<double>(std::ranges::count_if(
+                  chains, [&](const auto& c) { return c.mirrors.size() == length + 1; }))
+                  == all) {
+        ++length;
+        all *= static_cast<double>(mirrors) - 1.0;
+    }
+    return length;
 }
 
 } // namespace
 
 MirrorImages::MirrorImages(const Scene& scene) {
-    find_mirrors(scene);
-    choose_chains(scene.total_area, std::ranges::any_of(scene.luminaires, [](const auto& l) {
-                      return l.opening.form == OpeningForm::point;
-                  }));
+    const Rest untold = find_mirrors(scene);
+    choose_chains(scene, untold);
     number_chains();
 }
 
-void MirrorImages::find_mirrors(const Scene& scene) {
+/// @return  those that are too many to tell apart
+MirrorImages::Rest MirrorImages::find_mirrors(const Scene& scene) {
     const double size = distance(scene.bounds.lower, scene.bounds.upper);
     const double tolerance = 1e-7 * (1.0 + size);
     mirror_of_triangle_.reserve(scene.triangles.size());
     constexpr std::size_t none = ~std::size_t{0};
+    Rest untold;
     for (const SceneTriangle& t : scene.triangles) {
-        if (!is_mirror(scene.material(t.material))) {
+        const Material& material = scene.material(t.material);
+        if (!is_mirror(material)) {
             mirror_of_triangle_.push_back(none);
             continue;
         }
@@ -100,102 +155,52 @@ void MirrorImages::find_mirrors(const Scene& scene) {
             mirrors_.push_back({t.corner[0], t.normal, t.corner[0], t.corner[0]});
         if (m < mirrors_.size()) {
             grow(mirrors_[m], t);
-            mirrors_[m].strength =
-                std::max(mirrors_[m].strength, strength_of(scene.material(t.material)));
+            mirrors_[m].strength = std::max(mirrors_[m].strength, strength_of(material));
         } else {
-            small_ += strength_of(scene.material(t.material)) * t.area;
+            untold.add(strength_of(material), t.area);
         }
         mirror_of_triangle_.push_back(m);
     }
     for (std::size_t& m : mirror_of_triangle_)
         m = std::min(m, mirrors_.size());
+    return untold;
 }
 
-/// Those of the largest weight t, METHODS eq. (125); a chain is always better than a longer one
-/// that begins like it.
-void MirrorImages::choose_chains(double all_surfaces, bool has_points) {
-    double largest = 0.0;
-    double strongest = 0.0;
-    double second = 0.0;
-    for (const Mirror& m : mirrors_) {
-        largest = std::max(largest, m.area);
-        second = std::max(second, std::min(strongest, m.strength));
-        strongest = std::max(strongest, m.strength);
-    }
-
+void MirrorImages::choose_chains(const Scene& scene, const Rest& untold) {
     // Of a point source nobody else finds even small ones.
-    const bool all_count = has_points && mirrors_.size() <= most_chains / 2;
-    const auto counts = [=](const Mirror& m) {
-        return m.area > 0.0 && (all_count || m.strength * m.area >= least_share * all_surfaces);
-    };
-
-    struct Candidate {
-        double weight = 1.0;
-        std::vector<std::uint32_t> mirrors;
-
-        bool operator<(const Candidate& other) const {
-            return weight != other.weight ? weight < other.weight : mirrors > other.mirrors;
-        }
-    };
-
-    std::priority_queue<Candidate> waiting;
-    const auto lengthen = [&](const Candidate& c) {
-        for (std::uint32_t m = 0; m < mirrors_.size() && c.mirrors.size() < most_reflections;
-             ++m) {
-            if (!c.mirrors.empty() && c.mirrors.back() == m)
-                continue; // a mirror never follows itself
-            if (!counts(mirrors_[m]))
-                continue;
-            Candidate longer = c;
-            longer.mirrors.push_back(m);
-            longer.weight *= mirrors_[m].strength * std::sqrt(mirrors_[m].area / largest);
-            if (c.mirrors.empty() || longer.weight >= least_weight)
-                waiting.push(std::move(longer));
-        }
-    };
-    lengthen({});
-    std::vector<Candidate> chosen;
-    for (; !waiting.empty() && chosen.size() < most_chains; waiting.pop()) {
-        chosen.push_back(waiting.top());
-        lengthen(chosen.back());
+    const bool all_count = mirrors_.size() <= most_chains / 2
+                           && std::ranges::any_of(scene.luminaires, shines_as_point);
+    Rest rest = untold;
+    double strongest = untold.strength;
+    double second = untold.strength; // there may be two of them
+    std::vector<std::uint32_t> imaged;
+    for (std::uint32_t m = 0; m < mirrors_.size(); ++m) {
+        const double strength = mirrors_[m].strength;
+        const double area = mirrors_[m].area;
+        second = std::max(second, std::min(strongest, strength));
+        strongest = std::max(strongest, strength);
+        if (area > 0.0 && (all_count || strength * area >= least_share * scene.total_area))
+            imaged.push_back(m);
+        else
+            rest.add(strength, area);
     }
-    // Short ones first, so that every chain follows the one it lengthens.
-    std::sort(chosen.begin(), chosen.end(), [](const Candidate& a, const Candidate& b) {
-        return a.mirrors.size() != b.mirrors.size() ? a.mirrors.size() < b.mirrors.size()
-                                                    : a.mirrors < b.mirrors;
-    });
+    const std::vector<Candidate> chosen = choose_best(mirrors_, imaged);
     double sum = 0.0;
-    for (Candidate& c : chosen) {
+    for (const Candidate& c : chosen) {
         double strength = 1.0;
         for (const std::uint32_t m : c.mirrors)
             strength *= mirrors_[m].strength;
         strengths_.push_back(strength);
         cumulative_.push_back(sum += c.weight);
-        chains_.push_back(std::move(c.mirrors));
+        chains_.push_back(c.mirrors);
     }
     for (double& c : cumulative_)
         c /= std::max(sum, 1.0);
 
-    // The longest length of which all chains of mirrors that count are imaged.
-    const auto counting = static_cast<double>(std::ranges::count_if(mirrors_, counts));
-    std::size_t order = 0;
-    double of_length = counting;
-    while (order < most_reflections
-           && static_cast<double>(std::ranges::count_if(
-                  chains_, [order](const auto& c) { return c.size() == order + 1; }))
-                  == of_length) {
-        ++order;
-        of_length *= counting - 1.0;
-    }
-    for (const Mirror& m : mirrors_)
-        if (!counts(m))
-            small_ += m.strength * m.area;
-    // A mirror alone has no longer chain.
-    expected_without_image_ = counting > 1.0 ? bound_beyond(strongest, second, order) : 0.0;
-    share_without_image_ =
-        small_ > 0.0 ? bound_beyond(strongest, second, 0) : expected_without_image_;
-    if (all_surfaces > 0.0)
-        expected_without_image_ += small_ / all_surfaces;
+    const std::size_t n = complete_length(chosen, imaged.size());
+    const double longer = imaged.size() > 1 ? bound_beyond(strongest, second, n) : 0.0;
+    share_without_image_ = rest.light > 0.0 ? bound_beyond(strongest, second, 0) : longer;
+    expected_without_image_ = longer + (rest.light > 0.0 ? rest.light / scene.total_area : 0.0);
 }
 
 void MirrorImages::number_chains() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -81,8 +82,19 @@ public:
     }
 
 private:
-    void find_mirrors(const Scene& scene);
-    void choose_chains(double all_surfaces, bool has_points);
+    /// Mirrors that have no images.
+    struct Rest {
+        double light = 0.0;    ///< sum of strength times area, m2
+        double strength = 0.0; ///< of the strongest
+
+        void add(double of_one, double area) noexcept {
+            light += of_one * area;
+            strength = std::max(strength, of_one);
+        }
+    };
+
+    Rest find_mirrors(const Scene& scene);
+    void choose_chains(const Scene& scene, const Rest& untold);
     void number_chains();
 
     std::vector<double> strengths_;  ///< of the chains
@@ -93,7 +105,6 @@ private:
     std::vector<std::uint32_t> next_; ///< [no_mirror or 1 + chain][mirror]: 1 + longer chain
     double share_without_image_ = 0.0;
     double expected_without_image_ = 0.0;
-    double small_ = 0.0; ///< sum of strength times area over mirrors that never have an image
 };
 
 /// Light of one emission point that reaches a place over a chain of mirrors.

@@ -139,33 +139,41 @@ TEST(MirrorImages, KnowTheChainsOfRays) {
     EXPECT_FALSE(MirrorImages::covers(images.follow(ray, triangle[4])));
 }
 
-TEST(MirrorImages, AreNotOfFacetsOfRoundThings) {
+/// A room of 198 m2 and so many mirrors of 0.3 m height side by side.
+Scene mirrors_in_a_room(int count, double width, double strength) {
     test::Builder b;
     const MaterialId grey = b.add_diffuse(0.5);
-    const MaterialId chrome =
-        b.add_material({"chrome", Opaque{Rgb::grey(0.0), 0.6}, Sides::both});
     b.add_room({0, 0, 0}, {9, 6, 3}, grey, grey, grey);
-    for (int k = 0; k < 100; ++k) // 4 mm x 300 mm each
-        b.add_quad({1.0 + 0.01 * k, 1, 0.1}, {0, 0.004, 0}, {0, 0, 0.3}, chrome);
-    Scene scene = b.build();
-    scene.total_area = 198.0;
+    const MaterialId mirror =
+        b.add_material({"mirror", Opaque{Rgb::grey(0.0), strength}, Sides::both});
+    for (int k = 0; k < count; ++k)
+        b.add_quad({1.0 + 0.01 * k, 1, 0.1}, {0, width, 0}, {0, 0, 0.3}, mirror);
+    return b.build();
+}
+
+TEST(MirrorImages, AreNotOfFacetsOfRoundThings) {
+    const Scene scene = mirrors_in_a_room(100, 0.004, 0.6);
     const MirrorImages images(scene);
     EXPECT_TRUE(images.chains().empty());
-    EXPECT_EQ(images.share_without_image(),
-              1.0); // of what meets chrome: all of it, for all we know
-    EXPECT_NEAR(images.expected_without_image(), 100 * 0.6 * 0.0012 / 198.0, 1e-9);
+    // Of what meets chrome: all of it, for all we know.
+    EXPECT_EQ(images.share_without_image(), 1.0);
+    EXPECT_NEAR(images.expected_without_image(), 100 * 0.6 * 0.0012 / scene.total_area, 1e-12);
 }
 
 TEST(MirrorImages, OfOneMirrorAreAllThereAre) {
-    test::Builder b;
-    const MaterialId grey = b.add_diffuse(0.5);
-    const MaterialId glossy =
-        b.add_material({"glossy", Opaque{Rgb::grey(0.5), 0.2}, Sides::both});
-    b.add_room({0, 0, 0}, {3, 3, 3}, glossy, grey, grey);
-    const Scene scene = b.build();
+    const Scene scene = mirrors_in_a_room(1, 1.0, 0.2);
     const MirrorImages images(scene);
     ASSERT_EQ(images.chains().size(), 1U);
     EXPECT_EQ(images.share_without_image(), 0.0);
+    EXPECT_EQ(images.expected_without_image(), 0.0);
+}
+
+TEST(MirrorImages, OfMoreMirrorsThanCanBeToldApartAreBoundedByAllOfThem) {
+    // 600 weak ones: chains of one reflection and more are missing, 0.05 + 0.05^2 + ...
+    const Scene scene = mirrors_in_a_room(600, 1.0, 0.05);
+    const MirrorImages images(scene);
+    EXPECT_EQ(images.mirrors().size(), 512U);
+    EXPECT_NEAR(images.share_without_image(), 0.05 / 0.95, 1e-12);
 }
 
 } // namespace
