@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "isolux/transport/next_event.h"
+#include "isolux/transport/preference.h"
 #include "isolux/transport/response.h"
 
 #include "support/furnace.h"
@@ -63,7 +64,7 @@ double plain_gather(const SmallEngine& e,
         if (cos_v > 0.0 && cos_y > 0.0 && e.scene.caster.transmittance(v.position, y) > 0.0) {
             const double p1 = rho * cos_v / pi * cos_y / d2;
             const double a = c.vertices * p1;
-            const double b = rays * c.gather_later * p2;
+            const double b = rays * c.gather_later * p2 * preference(c.area * p1 / rho);
             luminance += static_cast<double>(cache.size()) / static_cast<double>(cache.paths)
                          * luminance_sum(v.radiant) * cos_v * cos_y / d2 * rho / pi * b
                          / (a + b);
@@ -109,6 +110,13 @@ TEST_F(Weights, SurvivalLeftOutOfOneDensityIsSeen) {
     EffectiveCounts planted = engine.counts();
     planted.vertices /= rho; // the survival of every chain in this room
     const Estimate e = engine.run(points, replicates, 3, planted, engine.counts()).mean();
+    EXPECT_GT(std::abs(z_score(e, exact)), z_limit) << e.mean << " +- " << e.standard_error;
+}
+
+TEST_F(Weights, PreferenceLeftOutOfOneWeightIsSeen) {
+    EffectiveCounts planted = engine.counts();
+    planted.area = 0.0; // as if the gather rays drew their vertices evenly
+    const Estimate e = engine.run(points, replicates, 5, planted, engine.counts()).mean();
     EXPECT_GT(std::abs(z_score(e, exact)), z_limit) << e.mean << " +- " << e.standard_error;
 }
 
@@ -209,8 +217,11 @@ weighed(const PathVertex& v, const Point3& at, const UnitVector3& axis, const Sm
     if (cos_x <= 0.0 || cos_v <= 0.0)
         return 0.0;
     const double n1 = v.is_first ? c.paths : c.vertices;
+    // All surfaces are alike: every vertex has the continuation of the one before.
     const double n2 =
-        static_cast<double>(e.directions) * (v.is_first ? c.gather_first : c.gather_later);
+        static_cast<double>(e.directions)
+        * (v.is_first ? c.gather_first
+                      : c.gather_later * preference(c.area * v.density / v.continuation));
     const double chain = n1 * v.density;
     const double share = chain / (chain + n2 * cos_x / pi * cos_v / d2);
     return luminance_sum(v.radiant) * cos_x * cos_v / d2 * share;
@@ -285,6 +296,22 @@ double relative_variance(const test::Sample& s) {
         sum += relative * relative * static_cast<double>(e.samples);
     }
     return sum / static_cast<double>(s.points);
+}
+
+TEST(Preference, MakesPointsNearWallsVaryLess) {
+    const Scene scene = furnished(0.6);
+    SmallEngine engine(scene);
+    constexpr std::size_t many = 512;
+    engine.directions = 16;
+    EffectiveCounts even = engine.counts();
+    even.area = 0.0;
+    // Equal seeds, and the same choice among the same vertices: what differs is the weights.
+    const std::vector<Receiver> points = points_near_walls();
+    const double with =
+        relative_variance(engine.run(points, many, 40, engine.counts(), engine.counts()));
+    const double without = relative_variance(engine.run(points, many, 40, even, even));
+    EXPECT_LT(with, without / 1.25);
+    RecordProperty("ratio", std::to_string(without / with));
 }
 
 TEST(EffectiveCountsOfEquationEleven, AreTheBestOnOpenPointsAndNearWalls) {

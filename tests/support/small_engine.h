@@ -34,7 +34,7 @@ struct SmallEngine {
 
     [[nodiscard]] EffectiveCounts counts() const {
         const double m = static_cast<double>(paths);
-        return {m, m * vertices_per_path, 1.0, 1.0};
+        return {m, m * vertices_per_path, 1.0, 1.0, 0.0, scene.total_area};
     }
 
     [[nodiscard]] VertexCache cache(std::uint64_t seed,

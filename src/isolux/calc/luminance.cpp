@@ -55,7 +55,7 @@ public:
             vertices_per_path = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
         }
         const double paths = static_cast<double>(paths_);
-        counts_ = {paths, paths * vertices_per_path, 1.0, 1.0};
+        counts_ = {paths, paths * vertices_per_path, 1.0, 1.0, 0.0, scene.total_area};
         edge_ = std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / paths));
     }
 

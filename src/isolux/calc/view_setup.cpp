@@ -125,7 +125,7 @@ ViewSetup::ViewSetup(const Scene& of,
                                EffectiveCounts{});
         vertices_per_path = std::max(0.01, static_cast<double>(pilot.size()) / pilot_paths);
     }
-    counts = {paths, paths * vertices_per_path, 1.0, 1.0};
+    counts = {paths, paths * vertices_per_path, 1.0, 1.0, 0.0, scene.total_area};
     edge = std::min(widest_edge, edge_factor * std::sqrt(scene.total_area / (paths * slices)));
 
     const std::vector<std::size_t> order = rank_luminaires(*this);

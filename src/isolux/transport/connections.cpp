@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "isolux/transport/preference.h"
+
 namespace isolux {
 
 std::size_t
@@ -22,11 +24,12 @@ Connections::settle(const Scene& scene, const LightLedger& ledger, const Trails&
                 continue;
             const Connection& c = waiting_[first + i];
             const double passed = static_cast<double>(visible[i]);
-            const double both = c.chain * passed + c.gather;
-            if (both > 0.0)
+            const double chain = c.chain * passed;
+            const double gather = c.gather * preference(c.nearness * passed);
+            if (chain + gather > 0.0)
                 ledger.add(c.point,
                            c.luminaire,
-                           (passed * c.gather / both) * c.light,
+                           (passed * gather / (chain + gather)) * c.light,
                            trails,
                            c.trail);
         }

@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "isolux/base/parallel.h"
+#include "isolux/transport/preference.h"
 
 namespace isolux {
 
 namespace {
 
-static_assert(sizeof(PathVertex) == 120 && sizeof(VertexRecord) == 32); // METHODS "Memory"
+// METHODS "Memory"
+static_assert(sizeof(PathVertex) == 120 && sizeof(VertexHand) == 36 * VertexHand::size);
 
 /// Paths one task walks.
 constexpr std::size_t paths_per_task = 64;
@@ -44,21 +46,34 @@ std::span<const std::uint32_t> sort_by_cell(const std::vector<PathVertex>& verti
     return sorted;
 }
 
+/// n2/n1 of METHODS eq. (10) with (144).
+double ratio_of(const VertexCache& cache, std::size_t vertex, const EffectiveCounts& counts) {
+    const PathVertex& v = cache.vertices[vertex];
+    if (v.is_first)
+        return counts.gather_first / counts.paths;
+    const double even = counts.gather_later / counts.vertices;
+    return v.back == 0
+               ? even
+               : even
+                     * preference(counts.area * v.density
+                                  / cache.vertices[vertex - v.back].continuation);
+}
+
 /// METHODS eq. (60): what the gather rays do beside the chain, m2.
-float rival_of(const PathVertex& v, const EffectiveCounts& counts) noexcept {
+float rival_of(const VertexCache& cache, std::size_t vertex, const EffectiveCounts& counts) {
     constexpr double most = 1e30;
-    const double ratio =
-        v.is_first ? counts.gather_first / counts.paths : counts.gather_later / counts.vertices;
-    const double rival = ratio / (std::numbers::pi * v.density);
+    const double rival = ratio_of(cache, vertex, counts)
+                         / (std::numbers::pi * cache.vertices[vertex].density);
     return static_cast<float>(rival < most ? rival : most);
 }
 
 void put(VertexBlock& block,
          std::size_t place,
-         const PathVertex& v,
-         const Point3& centre,
+         const VertexCache& cache,
+         std::size_t vertex,
          const EffectiveCounts& counts) noexcept {
-    const Vector3 p = v.position - centre;
+    const PathVertex& v = cache.vertices[vertex];
+    const Vector3 p = v.position - cache.centre;
     block.x[place] = static_cast<float>(p.x);
     block.y[place] = static_cast<float>(p.y);
     block.z[place] = static_cast<float>(p.z);
@@ -66,7 +81,7 @@ void put(VertexBlock& block,
     block.ny[place] = static_cast<float>(v.normal.y());
     block.nz[place] = static_cast<float>(v.normal.z());
     block.strength[place] = static_cast<float>(luminance_sum(v.radiant));
-    block.rival[place] = rival_of(v, counts);
+    block.rival[place] = rival_of(cache, vertex, counts);
 }
 
 /// The box and the common normal, from which the kernel sees whether a block is dark.
@@ -111,7 +126,7 @@ void pack_for_tree(VertexCache& cache, const Bounds& bounds, const EffectiveCoun
         for (std::size_t i = 0; i < count; ++i) {
             places[i] = i;
             const std::size_t vertex = cache.vertex_at[first + i];
-            put(block, i, cache.vertices[vertex], cache.centre, counts);
+            put(block, i, cache, vertex, counts);
             is_near[first + i] = is_close(cache, vertex, counts.corner) ? 1 : 0;
         }
         find_bounds(block, std::span(places).first(count));
@@ -141,7 +156,7 @@ void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& count
             places[i] = VertexBlock::columns * (i % rows) + i / rows;
             cache.vertex_at[first + places[i]] = sorted[first + i];
             const std::size_t vertex = sorted[first + i];
-            put(block, places[i], cache.vertices[vertex], cache.centre, counts);
+            put(block, places[i], cache, vertex, counts);
             if (is_close(cache, vertex, counts.corner))
                 cache.close.push_back({cache.vertices[vertex].position,
                                        static_cast<std::uint32_t>(first + places[i])});
@@ -165,17 +180,25 @@ void draw_picks(VertexCache& cache, double carried_by_a_path, double offset) {
     }
 }
 
-VertexRecord record_of(const VertexCache& cache, std::size_t vertex) noexcept {
-    const PathVertex& v = cache.vertices[vertex];
-    const Vector3 p = v.position - cache.centre;
-    return {static_cast<float>(p.x),
-            static_cast<float>(p.y),
-            static_cast<float>(p.z),
-            static_cast<float>(v.normal.x()),
-            static_cast<float>(v.normal.y()),
-            static_cast<float>(v.normal.z()),
-            static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant)),
-            static_cast<float>(v.continuation)};
+/// Vertices as they are offered to who wants one at random.
+void deal_hands(VertexCache& cache) {
+    cache.hands.resize((cache.offered() + VertexHand::size - 1) / VertexHand::size);
+    for (std::size_t k = 0; k < cache.offered(); ++k) {
+        VertexHand& hand = cache.hands[k / VertexHand::size];
+        const std::size_t i = k % VertexHand::size;
+        const std::size_t vertex = cache.offer(k);
+        const PathVertex& v = cache.vertices[vertex];
+        const Vector3 p = v.position - cache.centre;
+        hand.x[i] = static_cast<float>(p.x);
+        hand.y[i] = static_cast<float>(p.y);
+        hand.z[i] = static_cast<float>(p.z);
+        hand.nx[i] = static_cast<float>(v.normal.x());
+        hand.ny[i] = static_cast<float>(v.normal.y());
+        hand.nz[i] = static_cast<float>(v.normal.z());
+        hand.strength[i] = static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant));
+        hand.continuation[i] = static_cast<float>(v.continuation);
+        hand.vertex[i] = static_cast<std::uint32_t>(vertex);
+    }
 }
 
 } // namespace
@@ -189,7 +212,7 @@ void VertexCache::clear() noexcept {
     keep(fresh.vertices, vertices);
     keep(fresh.blocks, blocks);
     keep(fresh.vertex_at, vertex_at);
-    keep(fresh.records, records);
+    keep(fresh.hands, hands);
     keep(fresh.picks, picks);
     keep(fresh.close, close);
     *this = std::move(fresh);
@@ -245,9 +268,7 @@ VertexCache build_vertex_cache(const Scene& scene,
     kept = std::move(slots);
     if (!importance.is_even() && !cache.empty())
         draw_picks(cache, emission.total_flux(), random(pick_path + first, 0));
-    cache.records.reserve(cache.size());
-    for (std::size_t v = 0; v < cache.size(); ++v)
-        cache.records.push_back(record_of(cache, v));
+    deal_hands(cache);
     if (weighing == Weighing::tree)
         pack_for_tree(cache, scene.bounds, counts);
     else

@@ -20,6 +20,9 @@ struct EffectiveCounts {
     /// r of METHODS eq. (122), m: what a point next to an edge leaves to walks of its own. 0:
     /// nothing
     double corner = 0.0;
+    /// A of METHODS eq. (144), m2: of all surfaces. 0: vertices count as if gather rays drew
+    /// them evenly
+    double area = 0.0;
 };
 
 /// A vertex whose chain came straight from less than EffectiveCounts::corner away.
@@ -28,12 +31,18 @@ struct CloseVertex {
     std::uint32_t place = 0; ///< in the blocks, counted [block][row][column]
 };
 
-/// A vertex as who wants some at random looks at it, relative to the centre of the cache.
-struct alignas(32) VertexRecord {
-    float x = 0.0F, y = 0.0F, z = 0.0F;    ///< m
-    float nx = 0.0F, ny = 0.0F, nz = 0.0F; ///< normal of the lit side
-    float strength = 0.0F; ///< alpha rho / pi, the Y-sum, times VertexCache::share_of, lm/sr
-    float continuation = 0.0F;
+/// Vertices that a gather ray looks at before it takes one, side by side: neighbours in path
+/// order, which are anywhere in the room. Relative to the centre of the cache. Places that are
+/// not filled have no strength.
+struct alignas(64) VertexHand {
+    static constexpr std::size_t size = 16;
+    using Values = std::array<float, size>;
+
+    Values x{}, y{}, z{};    ///< m
+    Values nx{}, ny{}, nz{}; ///< normal of the lit side
+    Values strength{}; ///< alpha rho / pi, the Y-sum, times VertexCache::share_of, lm/sr
+    Values continuation{};
+    std::array<std::uint32_t, size> vertex{}; ///< number in VertexCache::vertices
 };
 
 /// The vertices of `paths` consecutive light paths of one replicate: in path order and double
@@ -47,7 +56,7 @@ struct VertexCache {
     std::vector<VertexBlock> blocks;
     /// Which vertex stands at a place of the blocks, counted [block][row][column].
     std::vector<std::uint32_t> vertex_at;
-    std::vector<VertexRecord> records; ///< in path order
+    std::vector<VertexHand> hands; ///< of all vertices, or of the picks
     /// Where importance drew more vertices than there is flux: some of them in proportion to
     /// what they carry, for who wants some at random. Empty: any will do.
     std::vector<std::uint32_t> picks;
@@ -64,14 +73,17 @@ struct VertexCache {
     /// As new, but for its memory.
     void clear() noexcept;
 
-    /// One at random, in proportion to what they carry. @param u  in [0, 1)  @pre !empty()
-    [[nodiscard]] std::size_t draw(double u) const noexcept {
-        const std::size_t n = picks.empty() ? vertices.size() : picks.size();
-        const auto k = std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)));
+    /// How many there are for who wants one at random.
+    [[nodiscard]] std::size_t offered() const noexcept {
+        return picks.empty() ? vertices.size() : picks.size();
+    }
+
+    /// One of those offered, k < offered()
+    [[nodiscard]] std::size_t offer(std::size_t k) const noexcept {
         return picks.empty() ? k : picks[k];
     }
 
-    /// 1/(paths x probability that draw() gives a vertex)
+    /// 1/(paths x probability that one drawn evenly from those offered is this vertex)
     [[nodiscard]] double share_of(std::size_t vertex) const noexcept {
         const double all = picks.empty() ? static_cast<double>(vertices.size())
                                          : carried / vertices[vertex].carried;

@@ -148,7 +148,7 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
 /// A luminaire sample and one cached vertex light y; the light path could have done the same.
 void WalkFront::gather_at(Walk& walk, const Meeting& y) {
     const double u_vertex = walk.numbers.next();
-    fetch_candidates(*cache_, u_vertex);
+    fetch_hand(*cache_, u_vertex);
     const double u_luminaire = walk.numbers.next();
     const double u = walk.numbers.next();
     const double v = walk.numbers.next();
@@ -158,6 +158,7 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
                       (y.throughput / pi) * (walk.throughput * event.illuminance * y.diffuse),
                       counts_.paths * event.path_density,
                       gathered(walk) * counts_.gather_first * p2,
+                      0.0,
                       walk.point,
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});
@@ -173,7 +174,10 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double u, double ne
     const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
     const double n2p2 = gathered(walk) * counts_.gather_later * p2;
     const auto chosen = choose_vertex(
-        *cache_, {y.at, y.normal, counts_.vertices / n2p2, nearest}, u, walk.numbers.next());
+        *cache_,
+        {y.at, y.normal, counts_.vertices / n2p2, nearest, counts_.area},
+        u,
+        walk.numbers.next());
     if (!chosen)
         return;
     const auto [drawn, share] = *chosen;
@@ -187,15 +191,16 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double u, double ne
     const double cos_y = -inverse * dot(y.normal, d);
     if (cos_v <= 0.0 || cos_y <= 0.0)
         return;
-    const double p1 = v.continuation * (cos_v / pi) * cos_y / d2;
+    const double departure = (cos_v / pi) * cos_y / d2;
     std::uint32_t trail = reflected_by(y.material, walk.trail);
     if (ledger_->wants_trails())
         visit_chain(*cache_, drawn, [&](MaterialId m) { trail = trails_.add(m, trail); });
     connections_.add({{v.position, y.at},
                       (y.throughput * share * cos_v * cos_y / (d2 * pi))
                           * (walk.throughput * v.radiant * y.diffuse),
-                      counts_.vertices * p1,
+                      counts_.vertices * v.continuation * departure,
                       n2p2,
+                      counts_.area * departure,
                       walk.point,
                       v.luminaire,
                       trail});
@@ -212,6 +217,7 @@ void WalkFront::collect_at(Walk& walk, const Meeting& y) {
                       (y.throughput / pi) * (walk.throughput * event.illuminance * y.diffuse),
                       0.0,
                       1.0,
+                      0.0,
                       walk.point,
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});

@@ -91,12 +91,12 @@ TEST(BenchRooms, AHallStaysAsItIsUnderAnyNumberOfPanels) {
 /// however many would be worth it if points took them. In a large hall with few points none
 /// does.
 TEST(BenchRooms, TracedPointsCostFewLightPaths) {
-    BenchRoom room = make_empty_bench_room(12, 8, 33, 31);
+    BenchRoom room = make_empty_bench_room(6, 4, 33, 31);
     const Scene scene = build_scene(std::move(room.scene));
     Settings settings;
     settings.tolerance = 0.02;
     const Results results = calculate(scene, room.surfaces, settings);
-    ASSERT_NE(results.estimator.find("path tracing (96 points)"), std::string::npos)
+    ASSERT_NE(results.estimator.find("path tracing (24 points)"), std::string::npos)
         << results.estimator;
     EXPECT_EQ(results.paths, 16U * 2048U);
     const FluxBalance& flux = results.flux_balance;

@@ -62,7 +62,7 @@ void expect_same(const VertexCache& a, const VertexCache& b) {
     EXPECT_EQ(a.flux.rays, b.flux.rays);
     expect_same(a.blocks, b.blocks);
     expect_same(a.vertex_at, b.vertex_at);
-    expect_same(a.records, b.records);
+    expect_same(a.hands, b.hands);
     expect_same(a.picks, b.picks);
     ASSERT_EQ(a.close.size(), b.close.size());
     for (std::size_t i = 0; i < a.close.size(); ++i)
@@ -90,7 +90,7 @@ TEST(VertexCache, ForgetsAllButItsMemory) {
     EXPECT_EQ(cache.vertices.capacity(), room_for);
     // ... and so does one that is built of no paths
     cache = make_cache(0, Weighing::all, false, 0, make_cache(64, Weighing::all, false, 0));
-    EXPECT_TRUE(cache.empty() && cache.blocks.empty() && cache.records.empty());
+    EXPECT_TRUE(cache.empty() && cache.blocks.empty() && cache.hands.empty());
 }
 
 } // namespace
