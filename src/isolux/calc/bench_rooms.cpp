@@ -198,6 +198,33 @@ BenchRoom make_furnished_office() {
     return b;
 }
 
+/// The same number of points in a room twice as large, with nothing upright on its desks.
+BenchRoom make_plain_office() {
+    BenchRoom b;
+    b.description = "office of 12 m x 9 m x 3 m with 20 desks, pedestals, seats, 5 cupboards";
+    const Shell m = add_shell(b.scene);
+    const MaterialId wood = add_material(b.scene, 0.5);
+    const MaterialId fabric = add_material(b.scene, 0.35);
+    const MaterialId paint = add_material(b.scene, 0.6);
+    b.scene.rooms.push_back(make_box_room(12.0, 9.0, 3.0, m.floor, m.ceiling, m.wall));
+    for (std::size_t j = 0; j < 4; ++j)
+        for (std::size_t i = 0; i < 5; ++i) {
+            const double x = 1.6 + 2.2 * static_cast<double>(i);
+            const double y = 1.4 + 2.0 * static_cast<double>(j);
+            add_box(b.scene, {1.6, 0.8, 0.03}, {x, y, 0.71}, wood);
+            add_box(b.scene, {0.4, 0.6, 0.55}, {x + 0.5, y, 0.0}, paint);
+            add_box(b.scene, {0.45, 0.45, 0.45}, {x, y + 0.7, 0.0}, fabric);
+        }
+    for (std::size_t i = 0; i < 5; ++i)
+        add_box(
+            b.scene, {1.0, 0.45, 1.8}, {2.0 + 1.5 * static_cast<double>(i), 8.77, 0.0}, paint);
+    add_panels(b.scene, {12.0, 9.0, 3.0}, 4, 3);
+    b.surfaces.push_back(plane("work plane", {0.5, 0.5, desk_height}, 11.0, 8.0, 20, 15));
+    b.rms_error = 0.002;
+    b.cpu_seconds = 0.2;
+    return b;
+}
+
 /// 40 points just above the floor: five rows, eight distances from 2 to 80 cm.
 BenchRoom make_near_walls() {
     BenchRoom b = make_furnished_office();
@@ -264,12 +291,13 @@ struct Entry {
     Maker make;
 };
 
-constexpr std::array<Entry, 8> rooms{{
+constexpr std::array<Entry, 9> rooms{{
     {"empty-room", [] { return aimed(make_empty_bench_room(12, 8, 2, 2), 0.014); }},
     {"corridor", make_corridor},
     {"large-office", make_large_office},
     {"many-points", [] { return aimed(make_empty_bench_room(200, 120, 2, 2), 0.29); }},
     {"many-luminaires", [] { return aimed(make_empty_bench_room(12, 8, 20, 10), 0.086); }},
+    {"plain-office", make_plain_office},
     {"furnished-office", make_furnished_office},
     {"near-walls", make_near_walls},
     {"doorway", make_doorway},

@@ -29,7 +29,8 @@ struct BenchRoom {
 /// * "large-office": 2330 points, 24 direct/indirect linear luminaires, 113 boxes
 /// * "many-points": 24 000 points in an empty room
 /// * "many-luminaires": 96 points under 200 panels
-/// * "furnished-office": 300 points between desks and screens
+/// * "plain-office": 300 points between desks without screens
+/// * "furnished-office": 300 points between desks and screens, close together
 /// * "near-walls": the same office, points 2 to 80 cm from a wall and just above the floor
 /// * "doorway": a room that is lit through an open door only
 [[nodiscard]] std::span<const std::string_view> bench_room_names() noexcept;

@@ -64,12 +64,8 @@ Engine::Engine(const Scene& scene, const Settings& settings)
 
 void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
-    counts_ = {paths,
-               paths * pilot_.chain_length,
-               1.0,
-               1.0,
-               corner_of(paths),
-               scene_->total_area};
+    counts_ = {
+        paths, paths * pilot_.chain_length, 1.0, 1.0, corner_of(paths), scene_->total_area};
 }
 
 /// Radius of METHODS eq. (33) for a number of paths, m; pure LE-MIS knows none.

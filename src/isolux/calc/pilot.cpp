@@ -308,12 +308,7 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
     pilot.chain_length = first.picks.empty() ? pilot.vertices_per_path
                                              : static_cast<double>(first.picks.size()) / m;
     const EffectiveCounts counts{
-        m,
-                                 m * pilot.chain_length,
-                                 usual_rays,
-                                 usual_rays,
-                                 task.corner,
-                                 task.scene->total_area};
+        m, m * pilot.chain_length, usual_rays, usual_rays, task.corner, task.scene->total_area};
     std::vector<VertexCache> caches(replicates);
     for_each_index(replicates, 1, [&](std::size_t r) {
         caches[r] = build(static_cast<std::uint32_t>(r), counts);

@@ -14,7 +14,7 @@ struct Connection {
     SightSegment sight;
     Rgb light;           ///< lx at the point if nothing stands in the way and nobody shares
     double chain = 0.0;  ///< n1 p1 of METHODS eq. (10) for an undimmed sight; 0: nobody shares
-    double gather = 1.0; ///< n2 p2
+    double gather = 1.0; ///< n2 p2, without h of (144)
     /// Of an undimmed sight, for METHODS eq. (144); 0: there was no choice
     double nearness = 0.0;
     std::uint32_t point = 0;

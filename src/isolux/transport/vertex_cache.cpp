@@ -52,18 +52,17 @@ double ratio_of(const VertexCache& cache, std::size_t vertex, const EffectiveCou
     if (v.is_first)
         return counts.gather_first / counts.paths;
     const double even = counts.gather_later / counts.vertices;
-    return v.back == 0
-               ? even
-               : even
-                     * preference(counts.area * v.density
-                                  / cache.vertices[vertex - v.back].continuation);
+    return v.back == 0 ? even
+                       : even
+                             * preference(counts.area * v.density
+                                          / cache.vertices[vertex - v.back].continuation);
 }
 
 /// METHODS eq. (60): what the gather rays do beside the chain, m2.
 float rival_of(const VertexCache& cache, std::size_t vertex, const EffectiveCounts& counts) {
     constexpr double most = 1e30;
-    const double rival = ratio_of(cache, vertex, counts)
-                         / (std::numbers::pi * cache.vertices[vertex].density);
+    const double rival =
+        ratio_of(cache, vertex, counts) / (std::numbers::pi * cache.vertices[vertex].density);
     return static_cast<float>(rival < most ? rival : most);
 }
 
@@ -195,7 +194,8 @@ void deal_hands(VertexCache& cache) {
         hand.nx[i] = static_cast<float>(v.normal.x());
         hand.ny[i] = static_cast<float>(v.normal.y());
         hand.nz[i] = static_cast<float>(v.normal.z());
-        hand.strength[i] = static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant));
+        hand.strength[i] =
+            static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant));
         hand.continuation[i] = static_cast<float>(v.continuation);
         hand.vertex[i] = static_cast<std::uint32_t>(vertex);
     }

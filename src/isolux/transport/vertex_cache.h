@@ -40,7 +40,7 @@ struct alignas(64) VertexHand {
 
     Values x{}, y{}, z{};    ///< m
     Values nx{}, ny{}, nz{}; ///< normal of the lit side
-    Values strength{}; ///< alpha rho / pi, the Y-sum, times VertexCache::share_of, lm/sr
+    Values strength{};       ///< alpha rho / pi, the Y-sum, times VertexCache::share_of, lm/sr
     Values continuation{};
     std::array<std::uint32_t, size> vertex{}; ///< number in VertexCache::vertices
 };

@@ -20,7 +20,7 @@ const VertexHand& hand_of(const VertexCache& cache, double u) noexcept {
 /// A place as the loop over a hand sees it, relative to the centre of the cache.
 struct NarrowPlace {
     float x, y, z, nx, ny, nz;
-    float rival;   ///< 1/w2 of METHODS eq. (10) is 1 + continuation (even_rival + rival g)
+    float rival; ///< 1/w2 of METHODS eq. (10) is 1 + continuation (even_rival + rival g)
     float even_rival;
     float least; ///< squared distance
 };
@@ -67,8 +67,8 @@ void look_at(const VertexHand& hand, const NarrowPlace& p, Lights& t) noexcept {
         const float cos_y = -(p.nx * dx + p.ny * dy + p.nz * dz);
         const float both = std::max(0.0F, cos_v) * std::max(0.0F, cos_y);
         const float g = d2 >= p.least ? both / (d2 * d2) : 0.0F;
-        t[i] = hand.strength[i] * g
-               / (1.0F + hand.continuation[i] * (p.even_rival + p.rival * g));
+        t[i] =
+            hand.strength[i] * g / (1.0F + hand.continuation[i] * (p.even_rival + p.rival * g));
     }
 }
 

@@ -10,7 +10,8 @@ namespace isolux {
 struct LitPlace {
     Point3 at;
     UnitVector3 normal;
-    /// n1/n2 of METHODS eq. (10) over p2, m2: what light paths do beside the gather ray.
+    /// n1/n2 of METHODS eq. (10) over p2, without h of (144), m2: what light paths do beside
+    /// the gather ray.
     double rival = 0.0;
     double nearest = 0.0; ///< vertices nearer than this do not count, m
     /// EffectiveCounts::area

@@ -27,7 +27,7 @@ struct alignas(64) VertexBlock {
     Values x{}, y{}, z{};    ///< m
     Values nx{}, ny{}, nz{}; ///< normal of the lit side
     Values strength{};       ///< alpha rho / pi, the Y-sum, lm/sr
-    Values rival{};          ///< n2 / (pi n1 p1) of one gather ray, m2: METHODS eq. (60)
+    Values rival{};          ///< n2 h/(pi n1 p1) of one gather ray, m2: METHODS eq. (60)
 
     std::array<float, 3> lower{}; ///< box of the positions
     std::array<float, 3> upper{};

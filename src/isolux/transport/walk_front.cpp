@@ -173,11 +173,11 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
 void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double u, double nearest) {
     const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
     const double n2p2 = gathered(walk) * counts_.gather_later * p2;
-    const auto chosen = choose_vertex(
-        *cache_,
-        {y.at, y.normal, counts_.vertices / n2p2, nearest, counts_.area},
-        u,
-        walk.numbers.next());
+    const auto chosen =
+        choose_vertex(*cache_,
+                      {y.at, y.normal, counts_.vertices / n2p2, nearest, counts_.area},
+                      u,
+                      walk.numbers.next());
     if (!chosen)
         return;
     const auto [drawn, share] = *chosen;

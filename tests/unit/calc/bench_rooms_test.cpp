@@ -29,6 +29,7 @@ TEST(BenchRooms, HaveThePointsAndLuminairesTheyPromise) {
                                                     {"large-office", {2330, 24}},
                                                     {"many-points", {24000, 4}},
                                                     {"many-luminaires", {96, 200}},
+                                                    {"plain-office", {300, 12}},
                                                     {"furnished-office", {300, 6}},
                                                     {"near-walls", {40, 6}},
                                                     {"doorway", {100, 2}}};

@@ -1,12 +1,16 @@
 // METHODS (139): a vertex chosen by what it would add stands for all of them.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "isolux/calc/bench_rooms.h"
+#include "isolux/transport/preference.h"
 #include "isolux/transport/vertex_choice.h"
 
 #include "support/random_importance.h"
@@ -43,8 +47,9 @@ double light_of(const PathVertex& v, const LitPlace& y) {
     if (dot(v.normal, d) <= 0.0 || dot(y.normal, d) >= 0.0 || d2 < y.nearest * y.nearest)
         return 0.0;
     const double g = cosines / (d2 * d2);
+    const double departure = g / std::numbers::pi;
     return luminance_sum(v.radiant) * g
-           / (1.0 + y.rival * v.continuation * g / std::numbers::pi);
+           / (1.0 + y.rival * v.continuation * departure / preference(y.area * departure));
 }
 
 /// Some vertices count, as if the others were hidden.
@@ -134,6 +139,31 @@ TEST(VertexChoice, VariesLessThanAnEvenDraw) {
     const double mean = exact(c, o.place);
     const double even = std::sqrt((squares / n - mean * mean) / n);
     EXPECT_LT(mean_over_choices(c, o.place).standard_error, 0.5 * even);
+}
+
+// From one hand every vertex brings the same, weights of METHODS eq. (10) and (144) included:
+// the chance of each is exactly in proportion.
+TEST(VertexChoice, IsInProportionToTheWeightedLight) {
+    Office o;
+    const VertexCache c = o.cache();
+    for (const double area : {0.0, 30.0, 300.0}) {
+        o.place.area = area;
+        for (const double hand : {0.1, 0.5, 0.9}) {
+            double lowest = std::numeric_limits<double>::max();
+            double highest = 0.0;
+            std::set<std::size_t> chosen;
+            for (int k = 0; k < 200; ++k) {
+                const auto v = choose_vertex(c, o.place, hand, (k + 0.5) / 200.0);
+                ASSERT_TRUE(v);
+                const double light = v->share * light_of(c.vertices[v->vertex], o.place);
+                lowest = std::min(lowest, light);
+                highest = std::max(highest, light);
+                chosen.insert(v->vertex);
+            }
+            EXPECT_GT(chosen.size(), 3U);
+            EXPECT_LT(highest, 1.0001 * lowest) << area << " " << hand;
+        }
+    }
 }
 
 TEST(VertexChoice, StandsForAFewThatDoNotFillAHand) {
