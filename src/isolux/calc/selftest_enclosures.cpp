@@ -143,7 +143,7 @@ SelftestCase make_cube(double reflectance) {
     selftest.settings = selftest_settings();
     // Of a point; the mean of all is sharper. Where little is reflected that is a small part of
     // what the tolerance is about.
-    selftest.settings.tolerance = reflectance < 0.5 ? 0.015 : 0.025;
+    selftest.settings.tolerance = reflectance < 0.5 ? 0.01 : 0.015;
     selftest.scene = [reflectance, flux] {
         SceneDescription scene;
         const MaterialId paint = add_material(scene, reflectance);
