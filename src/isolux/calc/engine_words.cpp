@@ -89,8 +89,7 @@ std::vector<Message> Engine::notices() const {
         return all;
     const std::string chains = fmt::format(
         "of light that reaches a place by mirrors alone, {} chains of mirrors are followed; "
-        "the "
-        "others would bring at most about {:.1f} % of what meets mirrors and are left out",
+        "the others would bring at most about {:.1f} % of what meets mirrors and are left out",
         images_.chains().size(),
         100.0 * lost);
     if (settings_.direct_only)

@@ -66,19 +66,25 @@ float rival_of(const VertexCache& cache, std::size_t vertex, const EffectiveCoun
     return static_cast<float>(rival < most ? rival : most);
 }
 
+/// Where a vertex lies and faces. @param row  a block or a hand
+template <class Row>
+void put_geometry(Row& row, std::size_t place, const PathVertex& v, const Point3& centre) {
+    const Vector3 p = v.position - centre;
+    row.x[place] = static_cast<float>(p.x);
+    row.y[place] = static_cast<float>(p.y);
+    row.z[place] = static_cast<float>(p.z);
+    row.nx[place] = static_cast<float>(v.normal.x());
+    row.ny[place] = static_cast<float>(v.normal.y());
+    row.nz[place] = static_cast<float>(v.normal.z());
+}
+
 void put(VertexBlock& block,
          std::size_t place,
          const VertexCache& cache,
          std::size_t vertex,
          const EffectiveCounts& counts) noexcept {
     const PathVertex& v = cache.vertices[vertex];
-    const Vector3 p = v.position - cache.centre;
-    block.x[place] = static_cast<float>(p.x);
-    block.y[place] = static_cast<float>(p.y);
-    block.z[place] = static_cast<float>(p.z);
-    block.nx[place] = static_cast<float>(v.normal.x());
-    block.ny[place] = static_cast<float>(v.normal.y());
-    block.nz[place] = static_cast<float>(v.normal.z());
+    put_geometry(block, place, v, cache.centre);
     block.strength[place] = static_cast<float>(luminance_sum(v.radiant));
     block.rival[place] = rival_of(cache, vertex, counts);
 }
@@ -187,13 +193,7 @@ void deal_hands(VertexCache& cache) {
         const std::size_t i = k % VertexHand::size;
         const std::size_t vertex = cache.offer(k);
         const PathVertex& v = cache.vertices[vertex];
-        const Vector3 p = v.position - cache.centre;
-        hand.x[i] = static_cast<float>(p.x);
-        hand.y[i] = static_cast<float>(p.y);
-        hand.z[i] = static_cast<float>(p.z);
-        hand.nx[i] = static_cast<float>(v.normal.x());
-        hand.ny[i] = static_cast<float>(v.normal.y());
-        hand.nz[i] = static_cast<float>(v.normal.z());
+        put_geometry(hand, i, v, cache.centre);
         hand.strength[i] =
             static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant));
         hand.continuation[i] = static_cast<float>(v.continuation);

@@ -12,6 +12,8 @@ namespace isolux {
 
 namespace {
 
+static_assert(most_preferred == double{VertexHand::size});
+
 const VertexHand& hand_of(const VertexCache& cache, double u) noexcept {
     const std::size_t n = cache.hands.size();
     return cache.hands[std::min(n - 1, static_cast<std::size_t>(u * static_cast<double>(n)))];
