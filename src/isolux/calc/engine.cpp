@@ -64,8 +64,14 @@ Engine::Engine(const Scene& scene, const Settings& settings)
 
 void Engine::fix_counts() {
     const double paths = static_cast<double>(effort_.paths);
-    counts_ = {
-        paths, paths * pilot_.chain_length, 1.0, 1.0, corner_of(paths), scene_->total_area};
+    counts_ = {paths,
+               paths * pilot_.chain_length,
+               1.0,
+               1.0,
+               corner_of(paths),
+               scene_->total_area,
+               caustic_of(paths),
+               &images_};
 }
 
 /// Radius of METHODS eq. (33) for a number of paths, m; pure LE-MIS knows none.
@@ -73,6 +79,13 @@ double Engine::corner_of(double paths) const noexcept {
     if (settings_.estimator != Estimator::automatic)
         return 0.0;
     return std::min(widest_edge, edge_factor * std::sqrt(scene_->total_area / paths));
+}
+
+/// Radius of METHODS eq. (145), m: surfaces nearer than that need gather rays.
+double Engine::caustic_of(double paths) const noexcept {
+    return settings_.estimator == Estimator::automatic && images_.scene_has_mirrors()
+               ? std::min(farthest_ahead, reach_.radius(paths))
+               : 0.0;
 }
 
 /// Distances to the surfaces around; receivers that lie on one are moved off it.
@@ -131,6 +144,7 @@ std::size_t Engine::prepare(std::vector<Receiver> receivers, const PilotTarget& 
     scene.leaves_corners = leaves_corners;
     scene.gathers = gathers_at_first;
     scene.corner = corner;
+    scene.caustic = caustic_of(static_cast<double>(pilot_paths));
     scene.direct = [&](std::size_t i, std::uint32_t first, std::span<double> values) {
         RayCounts once; // plans are made once, whatever comes after
         RayCounts counted;

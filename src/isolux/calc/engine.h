@@ -113,6 +113,7 @@ private:
 
     void find_surroundings();
     [[nodiscard]] double corner_of(double paths) const noexcept;
+    [[nodiscard]] double caustic_of(double paths) const noexcept;
 
     /// Whether a second surface is nearer than that, m, and one that could send light.
     [[nodiscard]] bool is_within(std::size_t receiver, double distance) const noexcept {

@@ -57,7 +57,8 @@ void Engine::estimate_local(const TileWork& work, Weighting weighting) const {
                           subset.uniform(i, work.unit),
                           effort.draws,
                           gathers(i) ? static_cast<double>(effort.directions) : 0.0,
-                          is_within(i, counts_.corner)});
+                          is_within(i, counts_.corner),
+                          counts_.caustic > 0.0 && gathers(i)});
         work.rays.shadow += effort.draws;
     }
     sums.assign(work.points.size(), {});
@@ -109,7 +110,8 @@ void Engine::send_rays(const TileWork& work, PointEstimator estimator) const {
                                static_cast<std::uint32_t>((work.unit - begin) * samples
                                                           + round * samples_at_once),
                                is_within(i, counts_.corner),
-                               estimator == PointEstimator::mis && gathers(i)});
+                               estimator == PointEstimator::mis && gathers(i),
+                               counts_.caustic > 0.0 && gathers(i)});
         }
         sums.assign(work.points.size(), {});
         front.start(*scene_, emission_, images_, senders);

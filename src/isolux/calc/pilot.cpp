@@ -82,14 +82,22 @@ public:
         for (std::size_t p = first; p < last; ++p) {
             const std::size_t i = points_[p];
             const bool leaves = task_.leaves_corners[i] != 0;
-            locals.push_back(
-                {&task_.receivers[i], task_.clear[i], 0.0, draws, directions, leaves});
+            const bool mirrored = task_.caustic > 0.0 && task_.gathers[i] != 0;
+            locals.push_back({&task_.receivers[i],
+                              task_.clear[i],
+                              0.0,
+                              draws,
+                              directions,
+                              leaves,
+                              mirrored});
             senders.push_back({&task_.receivers[i],
                                task_.clear[i],
                                {task_.seed, StreamPurpose::pilot, replicate, i},
                                directions,
                                0,
-                               leaves});
+                               leaves,
+                               true,
+                               mirrored});
         }
         LocalScratch scratch;
         WalkFront front;
@@ -307,8 +315,14 @@ std::vector<VertexCache> walk_and_look(const PilotScene& task,
     pilot.vertices_per_path = std::max(0.01, static_cast<double>(first.size()) / m);
     pilot.chain_length = first.picks.empty() ? pilot.vertices_per_path
                                              : static_cast<double>(first.picks.size()) / m;
-    const EffectiveCounts counts{
-        m, m * pilot.chain_length, usual_rays, usual_rays, task.corner, task.scene->total_area};
+    const EffectiveCounts counts{m,
+                                 m * pilot.chain_length,
+                                 usual_rays,
+                                 usual_rays,
+                                 task.corner,
+                                 task.scene->total_area,
+                                 task.caustic,
+                                 task.images};
     std::vector<VertexCache> caches(replicates);
     for_each_index(replicates, 1, [&](std::size_t r) {
         caches[r] = build(static_cast<std::uint32_t>(r), counts);

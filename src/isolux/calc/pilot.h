@@ -22,6 +22,7 @@ struct PilotScene {
     std::span<const PointClass> classes;
     std::span<const std::uint8_t> leaves_corners; ///< METHODS eq. (33), with `corner`
     double corner = 0.0;                          ///< EffectiveCounts::corner of these points
+    double caustic = 0.0;                         ///< EffectiveCounts::caustic of them
     std::span<const std::uint8_t> gathers;        ///< METHODS eq. (140), beside pilot_paths
     std::uint64_t seed = 1;
     bool reflected = true; ///< false: direct light alone

@@ -113,6 +113,20 @@ Point3 sample_polygon(std::span<const Point3> vertices, double u, double v) noex
         vertices[0], vertices[chosen + 1], vertices[chosen + 2], stretched, v);
 }
 
+Point3 sample_fan(std::span<const Point3> vertices,
+                  std::span<const double> running,
+                  double u,
+                  double v) noexcept {
+    ISOLUX_EXPECT(vertices.size() == running.size() + 2);
+    const double at = u * running.back();
+    const auto found = std::upper_bound(running.begin(), running.end() - 1, at);
+    const auto k = static_cast<std::size_t>(found - running.begin());
+    const double before = k == 0 ? 0.0 : running[k - 1];
+    const double area = running[k] - before;
+    const double stretched = area > 0.0 ? std::min((at - before) / area, 1.0) : 0.0;
+    return sample_triangle(vertices[0], vertices[k + 1], vertices[k + 2], stretched, v);
+}
+
 SphericalRectangle::SphericalRectangle(const Point3& corner,
                                        const Vector3& edge_u,
                                        const Vector3& edge_v,

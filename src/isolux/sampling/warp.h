@@ -23,6 +23,13 @@ namespace isolux {
 [[nodiscard]] Point3
 sample_polygon(std::span<const Point3> vertices, double u, double v) noexcept;
 
+/// The same for a fan of triangles whose areas are known.
+/// @param running  sum of the areas up to and including each triangle, m2
+[[nodiscard]] Point3 sample_fan(std::span<const Point3> vertices,
+                                std::span<const double> running,
+                                double u,
+                                double v) noexcept;
+
 /// Rectangle seen from a point, uniform in solid angle (METHODS "Spherical rectangle").
 /// Accurate from about 1e-5 sr; below that, and for a point in the rectangle's own plane, whose
 /// solid angle is given as 0, sample by area.

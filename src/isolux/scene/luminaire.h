@@ -18,6 +18,9 @@ struct Facet {
     std::vector<Point3> vertices;
     UnitVector3 normal;
     double area = 0.0; ///< m2
+    /// Running sum of the areas of the triangles that fan out from the first vertex, m2, where
+    /// there are more than two of them.
+    std::vector<double> fan = {};
 };
 
 /// How the light leaves the opening (METHODS, "Luminaires").

@@ -23,10 +23,17 @@ constexpr double least_width = 1e-3;
 
 Facet make_facet(std::vector<Point3> vertices) {
     Vector3 twice_area;
-    for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
-        twice_area =
-            twice_area + cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
-    return {std::move(vertices), UnitVector3(twice_area), 0.5 * length(twice_area)};
+    double sum = 0.0;
+    std::vector<double> fan;
+    for (std::size_t i = 1; i + 1 < vertices.size(); ++i) {
+        const Vector3 twice = cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
+        twice_area = twice_area + twice;
+        fan.push_back(sum += 0.5 * length(twice));
+    }
+    if (fan.size() <= 2)
+        fan.clear();
+    return {
+        std::move(vertices), UnitVector3(twice_area), 0.5 * length(twice_area), std::move(fan)};
 }
 
 /// A plane to draw outlines in: the facet's normal is u x v.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "isolux/base/receiver.h"
-#include "isolux/transport/mirror_images.h"
+#include "isolux/transport/image_light.h"
 #include "isolux/transport/point_randomness.h"
 
 namespace isolux {

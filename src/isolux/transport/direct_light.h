@@ -6,8 +6,8 @@
 
 #include "isolux/base/receiver.h"
 #include "isolux/transport/clear_view.h"
+#include "isolux/transport/image_light.h"
 #include "isolux/transport/light_ledger.h"
-#include "isolux/transport/mirror_images.h"
 #include "isolux/transport/point_randomness.h"
 
 namespace isolux {

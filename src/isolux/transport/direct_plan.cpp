@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "isolux/transport/direct_task.h"
+#include "isolux/transport/image_light.h"
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/opening_light.h"
 #include "isolux/transport/response.h"

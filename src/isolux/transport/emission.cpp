@@ -20,6 +20,12 @@ constexpr double large_solid_angle = 0.05;
 /// What rounding may do to the distance of a line from an opening's centre.
 constexpr double slack = 1.0 + 1e-6;
 
+/// Uniform over the area.
+Point3 sample_facet(const Facet& f, double u, double v) noexcept {
+    return f.fan.empty() ? sample_polygon(f.vertices, u, v)
+                         : sample_fan(f.vertices, f.fan, u, v);
+}
+
 bool is_rectangular(const Facet& f) noexcept {
     if (f.vertices.size() != 4)
         return false;
@@ -101,7 +107,7 @@ EmissionPoint Emission::place_on_solid(std::size_t luminaire,
             break;
         rest -= share;
     }
-    return {luminaire, chosen, sample_polygon(opening.facets[chosen].vertices, stretched, v)};
+    return {luminaire, chosen, sample_facet(opening.facets[chosen], stretched, v)};
 }
 
 EmissionSample Emission::sample_emission(double u_luminaire,
@@ -134,8 +140,7 @@ EmissionSample Emission::sample_emission(double u_luminaire,
         candela = intensity(l, w);
     }
     if (luminaire.opening.form == OpeningForm::flat)
-        sample.from.position =
-            sample_polygon(luminaire.opening.facets[0].vertices, u_place, v_place);
+        sample.from.position = sample_facet(luminaire.opening.facets[0], u_place, v_place);
     else if (luminaire.opening.form == OpeningForm::solid)
         sample.from = place_on_solid(l, w, u_place, v_place);
     sample.strength = per_area(sample.from, w, candela);
@@ -178,7 +183,7 @@ EmissionPoint OpeningView::sample(double u, double v) const noexcept {
         if (rectangle_ && u >= 0.5)
             from.position = rectangle_->sample(2.0 * u - 1.0, v);
         else
-            from.position = sample_polygon(facet.vertices, rectangle_ ? 2.0 * u : u, v);
+            from.position = sample_facet(facet, rectangle_ ? 2.0 * u : u, v);
     } else if (opening.form == OpeningForm::solid && weights_ > 0.0) {
         double rest = u * weights_;
         double stretched = 0.0;
@@ -192,7 +197,7 @@ EmissionPoint OpeningView::sample(double u, double v) const noexcept {
                 break;
             rest -= weight;
         }
-        from.position = sample_polygon(opening.facets[from.facet].vertices, stretched, v);
+        from.position = sample_facet(opening.facets[from.facet], stretched, v);
     }
     return from;
 }

@@ -51,6 +51,7 @@ struct Flight {
     double fade = 1.0;    ///< below 1 where surfaces reflect all: branches die out as well
     bool is_first = true; ///< no vertex yet
     bool behind_mirror = false; ///< a Dirac reflection since the last vertex
+    MirrorsMet mirrors;         ///< before the first vertex
     std::uint32_t bounce = 0;
     std::uint32_t order = 1;
     std::uint32_t reflections = 0; ///< diffuse ones
@@ -76,9 +77,10 @@ public:
              std::vector<PathVertex>& vertices,
              const PathImportance& importance,
              const Roulette& roulette,
+             const MirrorImages* images,
              std::vector<Flight>& waiting)
         : scene_(scene), emission_(emission), random_(random), vertices_(vertices),
-          importance_(importance), roulette_(roulette), waiting_(waiting) {}
+          importance_(importance), roulette_(roulette), images_(images), waiting_(waiting) {}
 
     FluxTally run(std::uint64_t path) {
         Flight flight = start(path);
@@ -179,6 +181,7 @@ private:
         v.material = material;
         v.back = f.reflections == 0 ? 0 : static_cast<std::uint32_t>(vertex - f.last);
         v.is_first = f.is_first && !f.behind_mirror;
+        v.is_mirrored = f.behind_mirror && images_ != nullptr && is_found_by_rays(f);
         if (f.behind_mirror)
             v.density = after_mirror;
         else if (f.is_first)
@@ -186,6 +189,12 @@ private:
         else
             v.density =
                 f.passed * f.continuation * (f.cos_departure / pi) * cos_in / (f.edge * f.edge);
+    }
+
+    /// Light of a point source over mirrors without an image is found by light paths alone.
+    [[nodiscard]] bool is_found_by_rays(const Flight& f) const noexcept {
+        return !f.is_first || images_->covers(f.mirrors)
+               || !shines_as_point(emission_.luminaire(start_.from.luminaire));
     }
 
     /// As how many flights, if any: what is killed is absorbed in the mean. The others wait
@@ -236,6 +245,8 @@ private:
             f.origin = m.clear;
             f.alpha = boost * f.alpha;
             f.behind_mirror = true;
+            if (f.is_first && images_ != nullptr)
+                f.mirrors.add(images_->mirror_of(m.hit.triangle));
             ++f.order;
         } else {
             // Across the pane, not along the ray: that could cross a wall the pane ends at.
@@ -251,6 +262,7 @@ private:
     std::vector<PathVertex>& vertices_;
     const PathImportance& importance_;
     const Roulette& roulette_;
+    const MirrorImages* images_;
     PathRandomness::Draws draws_; ///< of the path itself; branches draw from random_
     std::uint64_t path_ = 0;
     EmissionSample start_;
@@ -268,10 +280,12 @@ FluxTally walk_light_path(const Scene& scene,
                           std::uint64_t path,
                           std::vector<PathVertex>& vertices,
                           const PathImportance& importance,
-                          const Roulette& roulette) {
+                          const Roulette& roulette,
+                          const MirrorImages* images) {
     thread_local std::vector<Flight> waiting;
     waiting.clear();
-    return PathWalk(scene, emission, random, vertices, importance, roulette, waiting).run(path);
+    return PathWalk(scene, emission, random, vertices, importance, roulette, images, waiting)
+        .run(path);
 }
 
 } // namespace isolux

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "isolux/transport/emission.h"
+#include "isolux/transport/mirror_images.h"
 #include "isolux/transport/path_importance.h"
 #include "isolux/transport/path_randomness.h"
 
@@ -28,6 +29,8 @@ struct PathVertex {
     /// How many vertices before this one the path was last reflected diffusely; 0: never.
     std::uint32_t back = 0;
     bool is_first = false; ///< lit straight by a luminaire: order 1 and no mirror on the way
+    /// Lit by a mirror in a way that rays from the surface would find, METHODS eq. (145).
+    bool is_mirrored = false;
 };
 
 inline constexpr double after_mirror = std::numeric_limits<double>::infinity();
@@ -48,6 +51,7 @@ struct Roulette {
 
 /// Walks light path `path` of a replicate, METHODS "The Markov chain"; where places are
 /// important it goes on as several. Vertices are appended to `vertices`, branch after branch.
+/// @param images  which mirrors rays look into; null: none are told apart
 /// @return where its flux went
 FluxTally walk_light_path(const Scene& scene,
                           const Emission& emission,
@@ -55,6 +59,7 @@ FluxTally walk_light_path(const Scene& scene,
                           std::uint64_t path,
                           std::vector<PathVertex>& vertices,
                           const PathImportance& importance = {},
-                          const Roulette& roulette = {});
+                          const Roulette& roulette = {},
+                          const MirrorImages* images = nullptr);
 
 } // namespace isolux

@@ -1,6 +1,7 @@
 #include "isolux/transport/local_estimator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "isolux/base/check.h"
@@ -46,30 +47,57 @@ void weigh_points(const VertexCache& cache,
     }
 }
 
-/// METHODS eq. (122): a point next to an edge takes nothing from a near vertex whose own light
-/// came from nearby. The sums of the columns they stand in are made again, as the kernel does.
-void leave_corners(const VertexCache& cache,
-                   std::span<const LocalPoint> points,
-                   double corner,
-                   LocalScratch& s) {
+/// Whether anything in a block may be nearer to a place than that.
+bool reaches(const VertexBlock& block, const Vector3& place, double radius) noexcept {
+    const std::array<double, 3> p{place.x, place.y, place.z};
+    double d2 = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double outside = std::max({static_cast<double>(block.lower[k]) - p[k],
+                                         p[k] - static_cast<double>(block.upper[k]),
+                                         0.0});
+        d2 += outside * outside;
+    }
+    constexpr double rounding = 1e-3; // m, of the box
+    return d2 < (radius + rounding) * (radius + rounding);
+}
+
+/// A point takes nothing from those vertices that are near. The sums of the columns they stand
+/// in are made again, as the kernel does.
+void leave(const VertexCache& cache,
+           const LeftVertices& vertices,
+           std::size_t point,
+           const Point3& at,
+           LocalScratch& s) {
     const std::size_t blocks = cache.blocks.size();
+    float* u = s.u.data() + point * blocks * VertexBlock::size;
+    float* sums = s.column_sums.data() + point * blocks * columns;
+    const auto leave_one = [&](std::size_t b, const LeftVertices::Vertex& v) {
+        float& sum = sums[b * columns + v.place % columns];
+        // Where the sum is 0 the kernel may have left the block out.
+        if (sum == 0.0F || length_squared(v.position - at) >= vertices.radius * vertices.radius)
+            return;
+        u[v.place] = 0.0F;
+        sum = 0.0F;
+        const float* column = u + b * VertexBlock::size + v.place % columns;
+        for (std::size_t row = 0; row < cache.blocks[b].rows; ++row)
+            sum += column[row * columns];
+    };
+    for (std::size_t b = 0; b < blocks; ++b)
+        if (vertices.first[b] < vertices.first[b + 1]
+            && reaches(cache.blocks[b], at - cache.centre, vertices.radius))
+            for (std::size_t i = vertices.first[b]; i < vertices.first[b + 1]; ++i)
+                leave_one(b, vertices.all[i]);
+}
+
+/// METHODS eq. (122), (145).
+void leave_to_rays(const VertexCache& cache,
+                   std::span<const LocalPoint> points,
+                   LocalScratch& s) {
     for (std::size_t p = 0; p < points.size(); ++p) {
-        if (!points[p].leaves_corners)
-            continue;
-        float* u = s.u.data() + p * blocks * VertexBlock::size;
-        float* sums = s.column_sums.data() + p * blocks * columns;
-        for (const CloseVertex& v : cache.close) {
-            const std::size_t block = v.place / VertexBlock::size;
-            float& sum = sums[block * columns + v.place % columns];
-            // Where the sum is 0 the kernel may have left the block out.
-            if (sum == 0.0F || length_squared(v.position - points[p].at) >= corner * corner)
-                continue;
-            u[v.place] = 0.0F;
-            sum = 0.0F;
-            const float* column = u + block * VertexBlock::size + v.place % columns;
-            for (std::size_t row = 0; row < cache.blocks[block].rows; ++row)
-                sum += column[row * columns];
-        }
+        if (points[p].leaves_corners)
+            leave(cache, cache.close, p, points[p].at, s);
+        if (points[p].leaves_mirrored)
+            leave(cache, cache.mirrored, p, points[p].at, s);
     }
 }
 
@@ -245,7 +273,8 @@ void draw_vertices_by_tree(const VertexCache& cache,
                                      p.at,
                                      p.offset,
                                      p.draws,
-                                     p.leaves_corners});
+                                     p.leaves_corners,
+                                     p.leaves_mirrored});
             count += p.draws;
         }
         s.tree_draws.resize(count);
@@ -299,7 +328,7 @@ std::span<const LocalDraw> gather_local_estimates(const Scene& scene,
     start_rounds(points, scratch);
     if (cache.tree.empty()) {
         weigh_points(cache, points, weighting, scratch);
-        leave_corners(cache, points, cache.corner, scratch);
+        leave_to_rays(cache, points, scratch);
         draw_vertices(cache, points, scratch);
     } else {
         draw_vertices_by_tree(cache, points, weighting, scratch);

@@ -30,6 +30,7 @@ struct LocalPoint {
     /// Whether paths by two near surfaces are left to walks of the point's own (METHODS eq.
     /// (122)).
     bool leaves_corners = false;
+    bool leaves_mirrored = false; ///< the same for what mirrors throw on near surfaces (145)
 };
 
 /// What came of one draw: the vertex and the light it adds to one point, lx.

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <ranges>
 #include <span>
 #include <utility>
 
-#include "isolux/transport/surface_event.h"
+#include "isolux/scene/material.h"
 
 namespace isolux {
 
@@ -15,7 +16,7 @@ namespace {
 
 /// More chains than this are left to the gather rays, the weakest.
 constexpr std::size_t most_chains = 256;
-constexpr std::size_t most_reflections = 4;
+constexpr std::size_t most_reflections = MirrorsMet::most;
 
 /// ... and longer chains than one whose weight is below this.
 constexpr double least_weight = 2e-4;
@@ -214,9 +215,16 @@ void MirrorImages::number_chains() {
 }
 
 std::uint32_t MirrorImages::follow(std::uint32_t chain, TriangleId triangle) const noexcept {
-    const std::size_t m = mirror_of(triangle);
-    return chain == no_image || m >= mirrors_.size() ? no_image
-                                                     : next_[chain * mirrors_.size() + m];
+    return lengthen(chain, mirror_of(triangle));
+}
+
+bool MirrorImages::covers(const MirrorsMet& mirrors) const noexcept {
+    if (mirrors.are_too_many())
+        return false;
+    std::uint32_t chain = no_mirror;
+    for (const std::uint32_t m : std::views::reverse(mirrors.list()))
+        chain = lengthen(chain, m);
+    return covers(chain);
 }
 
 MirrorImages::DrawnChain MirrorImages::draw_chain(double u) const noexcept {
@@ -224,69 +232,8 @@ MirrorImages::DrawnChain MirrorImages::draw_chain(double u) const noexcept {
     if (found == cumulative_.end())
         return {};
     const double before = found == cumulative_.begin() ? 0.0 : *(found - 1);
-    return {&chains_[static_cast<std::size_t>(found - cumulative_.begin())], *found - before};
-}
-
-Point3 image_of(const MirrorImages& images,
-                const std::vector<std::uint32_t>& chain,
-                const Point3& place) noexcept {
-    Point3 p = place;
-    for (const std::uint32_t m : chain) {
-        const MirrorImages::Mirror& mirror = images.mirrors()[m];
-        p = p - (2.0 * dot(mirror.normal, p - mirror.point)) * Vector3(mirror.normal);
-    }
-    return p;
-}
-
-ImageLight trace_image(const Scene& scene,
-                       const Emission& emission,
-                       const MirrorImages& images,
-                       const std::vector<std::uint32_t>& chain,
-                       const Point3& place,
-                       const TowardsSample& sample,
-                       std::uint64_t& rays) noexcept {
-    ImageLight light;
-    light.sample = sample;
-    const Vector3 whole = image_of(images, chain, place) - sample.from.position;
-    const double d2 = length_squared(whole);
-    if (!(d2 > 0.0))
-        return light;
-    UnitVector3 w(whole);
-    double strength = emission.evaluate(sample.from, w) / d2;
-    if (!(strength > 0.0))
-        return light;
-    Point3 origin = emission.departure(sample.from, w);
-    // From the luminaire the chain is met from its far end.
-    for (std::size_t i = chain.size(); i-- > 0;) {
-        for (;;) {
-            const auto hit = scene.caster.find_first_hit(origin, w);
-            ++rays;
-            if (!hit)
-                return light;
-            const Material& material = scene.material(scene.triangle(hit->triangle).material);
-            const SurfaceEvent event =
-                evaluate_surface(material, hit->is_front, std::max(0.0, -dot(hit->normal, w)));
-            if (images.mirror_of(hit->triangle) == chain[i]) {
-                if (event.mirror <= 0.0)
-                    return light;
-                strength *= event.mirror;
-                w = reflect(w, hit->normal);
-                origin = scene.caster.offset_point(hit->position, hit->normal);
-                break;
-            }
-            if (event.straight <= 0.0)
-                return light;
-            strength *= event.straight;
-            origin = scene.caster.offset_point(hit->position, w);
-        }
-    }
-    ++rays;
-    // The rest must point at the place, else the last mirror was met on the wrong side.
-    if (dot(w, place - origin) <= 0.0)
-        return light;
-    light.arrival = -w;
-    light.strength = strength * scene.caster.transmittance(origin, place);
-    return light;
+    const auto c = static_cast<std::size_t>(found - cumulative_.begin());
+    return {&chains_[c], *found - before, strengths_[c]};
 }
 
 } // namespace isolux

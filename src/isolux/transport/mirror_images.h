@@ -1,12 +1,38 @@
 #pragma once
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "isolux/transport/emission.h"
 
 namespace isolux {
+
+/// The mirrors that a light path met on its way from the luminaire, as long as no chain of
+/// images could be longer.
+class MirrorsMet {
+public:
+    static constexpr std::size_t most = 4;
+
+    void add(std::size_t mirror) noexcept {
+        if (count_ < most)
+            met_[count_] = static_cast<std::uint32_t>(mirror);
+        ++count_;
+    }
+
+    [[nodiscard]] bool are_too_many() const noexcept { return count_ > most; }
+
+    /// The first one met stands first. @pre not too many
+    [[nodiscard]] std::span<const std::uint32_t> list() const noexcept {
+        return {met_.data(), count_};
+    }
+
+private:
+    std::array<std::uint32_t, most> met_{};
+    std::size_t count_ = 0;
+};
 
 /// The planar mirrors of a scene (panes included: they reflect too) and which chains of mirror
 /// reflections between a luminaire and a receiver are evaluated by image points, exactly and
@@ -48,6 +74,9 @@ public:
         return chain != no_image && chain != no_mirror;
     }
 
+    /// Whether the receiver's rays leave what a light path did to the images.
+    [[nodiscard]] bool covers(const MirrorsMet& mirrors) const noexcept;
+
     /// The imaged sequences of mirrors, nearest to the receiver first.
     [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& chains() const noexcept {
         return chains_;
@@ -72,6 +101,7 @@ public:
     struct DrawnChain {
         const std::vector<std::uint32_t>* chain = nullptr; ///< null: none
         double probability = 0.0;
+        double strength = 0.0; ///< as strength() says
     };
 
     [[nodiscard]] DrawnChain draw_chain(double u) const noexcept;
@@ -82,6 +112,13 @@ public:
     }
 
 private:
+    [[nodiscard]] std::uint32_t lengthen(std::uint32_t chain,
+                                         std::size_t mirror) const noexcept {
+        return chain == no_image || mirror >= mirrors_.size()
+                   ? no_image
+                   : next_[chain * mirrors_.size() + mirror];
+    }
+
     /// Mirrors that have no images.
     struct Rest {
         double light = 0.0;    ///< sum of strength times area, m2
@@ -106,29 +143,5 @@ private:
     double share_without_image_ = 0.0;
     double expected_without_image_ = 0.0;
 };
-
-/// Light of one emission point that reaches a place over a chain of mirrors.
-struct ImageLight {
-    UnitVector3 arrival; ///< from the place towards where the light comes from
-    double strength =
-        0.0; ///< intensity per area of opening times reflectances over squared path length
-    TowardsSample sample;
-};
-
-/// The place as the luminaires see it in the mirrors of `chain` (nearest to the place first).
-[[nodiscard]] Point3 image_of(const MirrorImages& images,
-                              const std::vector<std::uint32_t>& chain,
-                              const Point3& place) noexcept;
-
-/// Follows the light of an emission point to a place over a chain of mirrors; every segment is
-/// traced, panes that only pass the light dim it.
-/// @param sample  drawn for image_of(place)
-[[nodiscard]] ImageLight trace_image(const Scene& scene,
-                                     const Emission& emission,
-                                     const MirrorImages& images,
-                                     const std::vector<std::uint32_t>& chain,
-                                     const Point3& place,
-                                     const TowardsSample& sample,
-                                     std::uint64_t& rays) noexcept;
 
 } // namespace isolux

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "isolux/transport/mirror_images.h"
+#include "isolux/transport/image_light.h"
 
 namespace isolux {
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "isolux/sampling/warp.h"
+#include "isolux/transport/image_light.h"
 #include "isolux/transport/local_estimator.h"
 #include "isolux/transport/next_event.h"
 #include "isolux/transport/walk_front.h"
@@ -31,7 +32,7 @@ Rgb direct_at(const Scene& scene,
     ++rays;
     if (images.chains().empty())
         return e;
-    const auto [chain, probability] = images.draw_chain(numbers.next());
+    const auto [chain, probability, strength] = images.draw_chain(numbers.next());
     if (chain == nullptr)
         return e;
     const double u_l = numbers.next();

@@ -40,20 +40,25 @@ double sum_of(const float* u, std::size_t first, std::size_t last) noexcept {
     return sum;
 }
 
-/// METHODS eq. (122): whether a point takes nothing from the vertex at a place.
+/// METHODS eq. (122), (145): whether a point takes nothing from the vertex at a place.
 bool is_left(const VertexCache& cache, const TreePoint& p, std::size_t place) noexcept {
-    return p.leaves_corners && cache.tree.is_close[place] != 0
-           && length_squared(cache.vertices[cache.vertex_at[place]].position - p.at)
-                  < cache.corner * cache.corner;
+    const std::uint8_t left = cache.tree.left[place];
+    if (left == 0)
+        return false;
+    const double d2 = length_squared(cache.vertices[cache.vertex_at[place]].position - p.at);
+    const auto is_within = [d2](const LeftVertices& v) { return d2 < v.radius * v.radius; };
+    return (p.leaves_corners && (left & VertexTree::close) != 0 && is_within(cache.close))
+           || (p.leaves_mirrored && (left & VertexTree::mirrored) != 0
+               && is_within(cache.mirrored));
 }
 
-void leave_corners(const VertexCache& cache,
+void leave_to_rays(const VertexCache& cache,
                    const TreePoint& p,
                    const TreeCut& cut,
                    float* u,
                    float* sums) noexcept {
     const std::size_t first = cut.cluster_rows();
-    for (std::size_t k = 0; p.leaves_corners && k < cut.leaves.size(); ++k)
+    for (std::size_t k = 0; p.leaves_any() && k < cut.leaves.size(); ++k)
         for (std::size_t i = 0; i < lanes; ++i)
             if (is_left(cache, p, cut.leaves[k] * lanes + i)) {
                 float* row = u + (first + k) * lanes;
@@ -73,7 +78,7 @@ void draw_from_cut(const VertexCache& cache,
     for (std::size_t p = 0; p < points.size(); ++p) {
         float* u = s.u.data() + p * rows * lanes;
         float* sums = s.sums.data() + p * rows;
-        leave_corners(cache, points[p], s.cut, u, sums);
+        leave_to_rays(cache, points[p], s.cut, u, sums);
         double total = 0.0;
         for (std::size_t r = 0; r < rows; ++r)
             total += static_cast<double>(sums[r]);
@@ -135,7 +140,7 @@ bool step_down(const VertexCache& cache,
         last = first + VertexTree::forks;
     }
     const std::size_t begin = lanes * d.cluster.index; // of vertices, or two levels below
-    if (level == 0 && point.leaves_corners)
+    if (level == 0 && point.leaves_any())
         for (std::size_t i = 0; i < lanes; ++i)
             if (is_left(cache, point, begin + i))
                 u[i] = 0.0F;

@@ -15,7 +15,10 @@ struct TreePoint {
     Point3 at;
     double offset = 0.0; ///< in [0, 1)
     std::size_t draws = 1;
-    bool leaves_corners = false; ///< METHODS eq. (122)
+    bool leaves_corners = false;  ///< METHODS eq. (122)
+    bool leaves_mirrored = false; ///< METHODS eq. (145)
+
+    [[nodiscard]] bool leaves_any() const noexcept { return leaves_corners || leaves_mirrored; }
 };
 
 /// One draw: a place in the blocks, and the sum of u of all vertices over the number of draws

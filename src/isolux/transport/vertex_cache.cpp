@@ -114,13 +114,35 @@ bool is_close(const VertexCache& cache, std::size_t vertex, double corner) noexc
            < corner * corner;
 }
 
+/// What points may leave to their rays: bits of VertexTree::left.
+std::uint8_t left_to_rays(const VertexCache& cache, std::size_t vertex) noexcept {
+    return static_cast<std::uint8_t>(
+        (is_close(cache, vertex, cache.close.radius) ? VertexTree::close : 0U)
+        | (cache.mirrored.radius > 0.0 && cache.vertices[vertex].is_mirrored
+               ? VertexTree::mirrored
+               : 0U));
+}
+
+void list(VertexCache& cache, std::uint8_t left, std::size_t vertex, std::size_t place) {
+    const Point3& position = cache.vertices[vertex].position;
+    if ((left & VertexTree::close) != 0)
+        cache.close.add(position, place);
+    if ((left & VertexTree::mirrored) != 0)
+        cache.mirrored.add(position, place);
+}
+
+void end_lists(VertexCache& cache) {
+    for (LeftVertices* v : {&cache.close, &cache.mirrored})
+        v->first.resize(cache.blocks.size() + 1, static_cast<std::uint32_t>(v->all.size()));
+}
+
 /// Fills the blocks row by row, so that clusters of the tree are rows, and builds it.
 void pack_for_tree(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& counts) {
     cache.vertex_at = sort_along_curve(cache.vertices, bounds);
     const std::size_t n = cache.vertex_at.size();
     cache.blocks.resize((n + VertexBlock::size - 1) / VertexBlock::size);
     cache.vertex_at.resize(cache.blocks.size() * VertexBlock::size, 0);
-    std::vector<std::uint8_t> is_near(cache.vertex_at.size(), 0);
+    std::vector<std::uint8_t> left(cache.vertex_at.size(), 0);
     for_each_index(cache.blocks.size(), 16, [&](std::size_t b) {
         std::array<std::size_t, VertexBlock::size> places{};
         VertexBlock& block = cache.blocks[b];
@@ -132,16 +154,15 @@ void pack_for_tree(VertexCache& cache, const Bounds& bounds, const EffectiveCoun
             places[i] = i;
             const std::size_t vertex = cache.vertex_at[first + i];
             put(block, i, cache, vertex, counts);
-            is_near[first + i] = is_close(cache, vertex, counts.corner) ? 1 : 0;
+            left[first + i] = left_to_rays(cache, vertex);
         }
         find_bounds(block, std::span(places).first(count));
     });
     for (std::size_t i = 0; i < n; ++i)
-        if (is_near[i] != 0)
-            cache.close.push_back(
-                {cache.vertices[cache.vertex_at[i]].position, static_cast<std::uint32_t>(i)});
+        list(cache, left[i], cache.vertex_at[i], i);
+    end_lists(cache);
     cache.tree = build_vertex_tree(cache.blocks, n);
-    cache.tree.is_close = std::move(is_near);
+    cache.tree.left = std::move(left);
 }
 
 /// Fills the blocks, each column by column, so that the running sum follows the sorted order.
@@ -162,12 +183,11 @@ void pack(VertexCache& cache, const Bounds& bounds, const EffectiveCounts& count
             cache.vertex_at[first + places[i]] = sorted[first + i];
             const std::size_t vertex = sorted[first + i];
             put(block, places[i], cache, vertex, counts);
-            if (is_close(cache, vertex, counts.corner))
-                cache.close.push_back({cache.vertices[vertex].position,
-                                       static_cast<std::uint32_t>(first + places[i])});
+            list(cache, left_to_rays(cache, vertex), vertex, first + places[i]);
         }
         find_bounds(block, std::span(places).first(count));
     }
+    end_lists(cache);
 }
 
 /// Systematic draws along the running sum of what the vertices carry, as many as there would be
@@ -203,6 +223,12 @@ void deal_hands(VertexCache& cache) {
 
 } // namespace
 
+void LeftVertices::add(const Point3& position, std::size_t place) {
+    first.resize(std::max(first.size(), place / VertexBlock::size + 1),
+                 static_cast<std::uint32_t>(all.size()));
+    all.push_back({position, static_cast<std::uint32_t>(place)});
+}
+
 void VertexCache::clear() noexcept {
     VertexCache fresh;
     const auto keep = [](auto& empty, auto& memory) {
@@ -214,7 +240,10 @@ void VertexCache::clear() noexcept {
     keep(fresh.vertex_at, vertex_at);
     keep(fresh.hands, hands);
     keep(fresh.picks, picks);
-    keep(fresh.close, close);
+    keep(fresh.close.all, close.all);
+    keep(fresh.close.first, close.first);
+    keep(fresh.mirrored.all, mirrored.all);
+    keep(fresh.mirrored.first, mirrored.first);
     *this = std::move(fresh);
 }
 
@@ -231,7 +260,8 @@ VertexCache build_vertex_cache(const Scene& scene,
     VertexCache cache = std::move(used);
     cache.clear();
     cache.paths = count;
-    cache.corner = counts.corner;
+    cache.close.radius = counts.corner;
+    cache.mirrored.radius = counts.caustic;
     cache.centre = midpoint(scene.bounds.lower, scene.bounds.upper);
     if (emission.total_flux() <= 0.0 || count == 0)
         return cache;
@@ -247,8 +277,14 @@ VertexCache build_vertex_cache(const Scene& scene,
         slots[t].reserve(4 * paths_per_task);
         const std::size_t end = std::min(count, (t + 1) * paths_per_task);
         for (std::size_t i = t * paths_per_task; i < end; ++i) {
-            const FluxTally f = walk_light_path(
-                scene, emission, random, first + i, slots[t], importance, roulette);
+            const FluxTally f = walk_light_path(scene,
+                                                emission,
+                                                random,
+                                                first + i,
+                                                slots[t],
+                                                importance,
+                                                roulette,
+                                                counts.images);
             tallies[t].absorbed += f.absorbed;
             tallies[t].escaped += f.escaped;
             tallies[t].rays += f.rays;

@@ -23,12 +23,30 @@ struct EffectiveCounts {
     /// A of METHODS eq. (144), m2: of all surfaces. 0: vertices count as if gather rays drew
     /// them evenly
     double area = 0.0;
+    /// r of METHODS eq. (145), m: light that mirrors throw on a surface so near is left to
+    /// walks of the point's own. 0: nothing
+    double caustic = 0.0;
+    const MirrorImages* images = nullptr; ///< what those walks look into
 };
 
-/// A vertex whose chain came straight from less than EffectiveCounts::corner away.
-struct CloseVertex {
-    Point3 position;
-    std::uint32_t place = 0; ///< in the blocks, counted [block][row][column]
+/// Vertices that points nearer than `radius` may leave to their own rays, block by block.
+struct LeftVertices {
+    struct Vertex {
+        Point3 position;
+        std::uint32_t place = 0; ///< in the blocks, counted [block][row][column]
+    };
+
+    double radius = 0.0; ///< m
+    std::vector<Vertex> all;
+    std::vector<std::uint32_t> first; ///< of each block in `all`; at the end how many there are
+
+    /// @pre  called in the order of the blocks
+    void add(const Point3& position, std::size_t place);
+
+    void clear() noexcept {
+        all.clear();
+        first.clear();
+    }
 };
 
 /// Vertices that a gather ray looks at before it takes one, side by side: neighbours in path
@@ -60,10 +78,10 @@ struct VertexCache {
     /// Where importance drew more vertices than there is flux: some of them in proportion to
     /// what they carry, for who wants some at random. Empty: any will do.
     std::vector<std::uint32_t> picks;
-    double carried = 0.0; ///< by all vertices, lm
-    double corner = 0.0;  ///< of the counts
-    std::vector<CloseVertex> close;
-    VertexTree tree; ///< empty where all vertices are to be weighed
+    double carried = 0.0;  ///< by all vertices, lm
+    LeftVertices close;    ///< their chains came straight from nearby, METHODS eq. (122)
+    LeftVertices mirrored; ///< lit by mirrors, METHODS eq. (145)
+    VertexTree tree;       ///< empty where all vertices are to be weighed
     FluxTally flux;
 
     [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }

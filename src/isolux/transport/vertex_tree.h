@@ -43,7 +43,10 @@ struct RowOfTree {
 /// 0 the vertices 16 i .. 16 i + 15 in the order of the blocks, which is that of the rows.
 struct VertexTree {
     std::vector<std::vector<ClusterRow>> levels; ///< rows of 16 clusters; empty: there is none
-    std::vector<std::uint8_t> is_close; ///< of a place: METHODS eq. (122) may take it out
+    /// Of a place: bits that say why a point near to it may leave its vertex out.
+    std::vector<std::uint8_t> left;
+    static constexpr std::uint8_t close = 1;    ///< METHODS eq. (122)
+    static constexpr std::uint8_t mirrored = 2; ///< METHODS eq. (145)
 
     [[nodiscard]] bool empty() const noexcept { return levels.empty(); }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "isolux/sampling/warp.h"
+#include "isolux/transport/image_light.h"
 #include "isolux/transport/next_event.h"
 #include "isolux/transport/response.h"
 #include "isolux/transport/vertex_choice.h"
@@ -22,6 +23,11 @@ constexpr std::size_t most_waiting = 4096;
 /// A gathering walk that is traced on adds to numbers far quieter than its own: its roulette
 /// begins when it carries less than the inverse of this of what it began with.
 constexpr double patience = 4.0;
+
+/// Whether a surface was met straight from nearby.
+bool is_near(const Point3& from, const Meeting& y, double radius) noexcept {
+    return y.reflections == 0 && length_squared(y.at - from) < radius * radius;
+}
 
 } // namespace
 
@@ -131,7 +137,7 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
     const double offered = walk.passed_on;
     if (const auto y = meet_surface(*scene_, ray.branch, hit, event)) {
         if (!walk.gathers || y->reflections > 0) {
-            if (!walk.into_corner || is_in_corner(walk.start, *y))
+            if (counts(walk, *y))
                 collect_at(walk, *y);
         } else if (points_[walk.point].connects) {
             gather_at(walk, *y);
@@ -141,7 +147,7 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
         collecting_.push_back(ray.walk);
     const Onward onward = go_on(*scene_, *images_, ray.branch, hit, event, walk.numbers);
     for (std::size_t b = 0; b < onward.count; ++b)
-        if (!walk.into_corner || onward.branches[b].reflections == 0)
+        if (!walk.left.any() || walk.left.mirrors || onward.branches[b].reflections == 0)
             following_.push_back({onward.branches[b], ray.walk});
 }
 
@@ -163,10 +169,13 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});
     const RayPoint& point = points_[walk.point];
-    const bool is_corner = point.leaves_corners && is_in_corner(point.at, y);
-    connect_vertex(walk, y, u_vertex, is_corner ? counts_.corner : 0.0);
-    if (is_corner)
-        offer(walk, y, true);
+    const Left left{point.leaves_corners && is_near(point.at, y, counts_.corner),
+                    point.leaves_mirrored && is_near(point.at, y, counts_.caustic)};
+    connect_vertex(walk, y, u_vertex, left.corners ? counts_.corner : 0.0);
+    if (left.mirrors)
+        collect_images(walk, y);
+    if (left.any())
+        offer(walk, y, left);
 }
 
 /// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself.
@@ -222,51 +231,40 @@ void WalkFront::collect_at(Walk& walk, const Meeting& y) {
                       event.luminaire,
                       reflected_by(y.material, walk.trail)});
     collect_images(walk, y);
-    offer(walk, y, false);
+    offer(walk, y, {});
 }
 
 /// The walk may go on from y.
-void WalkFront::offer(Walk& walk, const Meeting& y, bool into_corner) {
+void WalkFront::offer(Walk& walk, const Meeting& y, Left left) {
     const double share = y.throughput * luminance_sum(y.diffuse);
     walk.passed_on += share;
     if (walk.numbers.next() * walk.passed_on < share) {
         walk.next = y;
         walk.goes_on = true;
-        walk.next_into_corner = into_corner;
+        walk.next_left = left;
     }
 }
 
-/// METHODS eq. (122): whether a surface was met straight from nearby.
-bool WalkFront::is_in_corner(const Point3& from, const Meeting& y) const noexcept {
-    return y.reflections == 0 && length_squared(y.at - from) < counts_.corner * counts_.corner;
+/// Whether the light of a surface is this walk's business.
+bool WalkFront::counts(const Walk& walk, const Meeting& y) const noexcept {
+    if (!walk.left.any())
+        return true;
+    return y.reflections > 0 ? walk.left.mirrors
+                             : walk.left.corners && is_near(walk.start, y, counts_.corner);
 }
 
-/// Light of the luminaires over one randomly chosen chain of imaged mirrors, or none.
+/// Light of the luminaires over imaged mirrors.
 void WalkFront::collect_images(Walk& walk, const Meeting& y) {
     if (images_->chains().empty())
         return;
-    const auto [chain, probability] = images_->draw_chain(walk.numbers.next());
-    if (chain == nullptr)
-        return;
-    const double u_luminaire = walk.numbers.next();
-    const double u = walk.numbers.next();
-    const double v = walk.numbers.next();
-    const TowardsSample sample =
-        emission_->sample_towards(image_of(*images_, *chain, y.at), u_luminaire, u, v);
-    if (!(sample.density > 0.0))
-        return;
-    const ImageLight light =
-        trace_image(*scene_, *emission_, *images_, *chain, y.at, sample, rays_);
-    const double cosine = std::max(0.0, dot(y.normal, light.arrival));
-    if (!(light.strength * cosine > 0.0))
-        return;
-    const double e = light.strength * cosine / (probability * sample.density);
-    ledger_->add(walk.point,
-                 sample.from.luminaire,
-                 (y.throughput * e / pi)
-                     * (walk.throughput * emission_->colour(sample.from.luminaire) * y.diffuse),
-                 trails_,
-                 reflected_by(y.material, walk.trail));
+    const ImageEvent event =
+        sample_image_event(*scene_, *emission_, *images_, y.at, y.normal, walk.numbers, rays_);
+    if (max_channel(event.illuminance) > 0.0)
+        ledger_->add(walk.point,
+                     event.luminaire,
+                     (y.throughput / pi) * (walk.throughput * event.illuminance * y.diffuse),
+                     trails_,
+                     reflected_by(y.material, walk.trail));
 }
 
 std::uint32_t WalkFront::reflected_by(MaterialId material, std::uint32_t before) {
@@ -279,7 +277,7 @@ void WalkFront::send_on(std::uint32_t number) {
     const Meeting from = walk.next;
     const double share = from.throughput * luminance_sum(from.diffuse) / walk.passed_on;
     const bool goes_on = walk.goes_on;
-    walk.into_corner = walk.next_into_corner;
+    walk.left = walk.next_left;
     walk.passed_on = 0.0;
     walk.goes_on = false;
     if (!goes_on)

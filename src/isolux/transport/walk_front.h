@@ -22,13 +22,16 @@ struct RayPoint {
     /// Whether gathering walks light the surfaces they meet straight; otherwise only what they
     /// meet by mirrors counts.
     bool connects = true;
+    /// Whether light that mirrors throw on near surfaces is traced, METHODS eq. (145).
+    bool leaves_mirrored = false;
 };
 
 /// Walks from neighbouring points into the room, all of them side by side so that their shadow
 /// rays fill packets. A walk either gathers, METHODS "LE-MIS" technique T2: at the first
 /// diffuse surface a luminaire sample and one cached vertex light it; or traces, METHODS "Path
 /// tracing": luminaire samples light every surface, and roulette ends it. Behind a mirror,
-/// where no light path can do the same, a gathering walk becomes a tracing one.
+/// where no light path can do the same, a gathering walk becomes a tracing one; where light is
+/// left to it, METHODS eq. (122) and (145), it goes on from the near surface and traces that.
 class WalkFront {
 public:
     /// Forgets the walks of before. Everything referred to must live until run() is done.
@@ -49,6 +52,14 @@ public:
     std::uint64_t run(const LightLedger& ledger);
 
 private:
+    /// Light to a near surface that is left to the walk that met it.
+    struct Left {
+        bool corners = false; ///< METHODS eq. (122)
+        bool mirrors = false; ///< METHODS eq. (145)
+
+        [[nodiscard]] bool any() const noexcept { return corners || mirrors; }
+    };
+
     struct Walk {
         NumberSequence numbers;
         std::uint32_t point = 0;
@@ -60,8 +71,8 @@ private:
         Point3 start;           ///< where the current flight began
         Meeting next;           ///< the one of them where the walk goes on
         bool goes_on = false;
-        bool next_into_corner = false;
-        bool into_corner = false;           ///< now on the way from one near surface to another
+        Left next_left;
+        Left left; ///< on the way from a near surface: nothing else counts. None: all does
         std::uint32_t trail = Trails::none; ///< surfaces the walk was sent on from
     };
 
@@ -77,14 +88,14 @@ private:
     void connect_vertex(Walk& walk, const Meeting& y, double u, double nearest);
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
-    void offer(Walk& walk, const Meeting& y, bool into_corner);
+    void offer(Walk& walk, const Meeting& y, Left left);
 
     /// N2 of the walk's point.
     [[nodiscard]] double gathered(const Walk& walk) const noexcept {
         return static_cast<double>(points_[walk.point].samples);
     }
 
-    [[nodiscard]] bool is_in_corner(const Point3& from, const Meeting& y) const noexcept;
+    [[nodiscard]] bool counts(const Walk& walk, const Meeting& y) const noexcept;
     void send_on(std::uint32_t walk);
     [[nodiscard]] std::uint32_t reflected_by(MaterialId material, std::uint32_t before);
 

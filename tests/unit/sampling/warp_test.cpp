@@ -124,6 +124,18 @@ TEST(SamplePolygon, IsUniformOverTheArea) {
     }
 }
 
+TEST(SampleFan, GoesToTheSamePlacesAsThePolygon) {
+    const std::vector<Point3> p = {{0.5, 0, 1}, {1.5, 0, 1}, {2, 1, 1}, {1, 2, 1}, {0, 1, 1}};
+    std::vector<double> running;
+    for (std::size_t k = 1; k + 1 < p.size(); ++k)
+        running.push_back((running.empty() ? 0.0 : running.back())
+                          + 0.5 * length(cross(p[k] - p[0], p[k + 1] - p[0])));
+    for (const double u : {0.0, 0.1, 0.3, 0.5, 0.77, 0x1.fffffffffffffp-1})
+        for (const double v : {0.0, 0.4, 0.9})
+            EXPECT_LT(distance(sample_fan(p, running, u, v), sample_polygon(p, u, v)), 1e-7)
+                << u << ' ' << v;
+}
+
 TEST(SamplePolygon, OfAParallelogramKeepsNeighboursTogether) {
     const std::vector<Point3> p = {{1, 1, 0}, {3, 1, 1}, {4, 3, 1}, {2, 3, 0}};
     EXPECT_LT(distance(sample_polygon(p, 0.25, 0.5), {2.0, 2.0, 0.25}), 1e-14);

@@ -37,7 +37,7 @@ TEST(MirrorImages, DrawStrongChainsMoreOften) {
     std::map<std::vector<std::uint32_t>, double> probability;
     int none = 0;
     for (int i = 0; i < draws; ++i) {
-        const auto [chain, p] = images.draw_chain((i + 0.5) / draws);
+        const auto [chain, p, strength] = images.draw_chain((i + 0.5) / draws);
         if (chain == nullptr) {
             ++none;
             continue;
@@ -50,6 +50,33 @@ TEST(MirrorImages, DrawStrongChainsMoreOften) {
         EXPECT_NEAR(count, draws * probability[chain], 1.01);
     EXPECT_NEAR(none, draws * (1.0 - images.draws()), 1.01);
     EXPECT_NEAR(drawn[{0}], 8 * drawn[{1}], 10); // 0.8 and 0.1
+}
+
+TEST(MirrorImages, CoverWhatLightPathsMetTheOtherWayRound) {
+    const Scene scene = three_mirrors();
+    const MirrorImages images(scene);
+    const auto met = [](std::vector<std::uint32_t> mirrors) {
+        MirrorsMet m;
+        for (const std::uint32_t k : mirrors)
+            m.add(k);
+        return m;
+    };
+    for (const std::vector<std::uint32_t>& chain : images.chains())
+        EXPECT_TRUE(images.covers(met({chain.rbegin(), chain.rend()})));
+    const std::set<std::vector<std::uint32_t>> all(images.chains().begin(),
+                                                   images.chains().end());
+    int without = 0;
+    for (std::uint32_t a = 0; a < 3; ++a)
+        for (std::uint32_t b = 0; b < 3; ++b)
+            for (std::uint32_t c = 0; c < 3; ++c) {
+                const bool is_covered = images.covers(met({c, b, a}));
+                EXPECT_EQ(is_covered, all.count({a, b, c}) == 1) << a << b << c;
+                without += is_covered ? 0 : 1;
+            }
+    EXPECT_GT(without, 0);
+    EXPECT_FALSE(images.covers(MirrorsMet{}));
+    EXPECT_FALSE(images.covers(met({3})));             // a mirror of no plane
+    EXPECT_FALSE(images.covers(met({0, 1, 0, 1, 0}))); // more than any chain has
 }
 
 TEST(MirrorImages, OfPanesAloneAreSeldomLookedFor) {

@@ -89,9 +89,9 @@ std::vector<double> all_u(const VertexCache& cache, const TreePoint& p, Illumina
     std::vector<float> u(cache.blocks.size() * VertexBlock::size, 0.0F);
     std::vector<float> sums(cache.blocks.size() * VertexBlock::columns);
     weigh_vertices(cache.blocks, kind, Weighting::balanced, {&p.receiver, 1}, u, sums);
-    for (std::size_t i = 0; p.leaves_corners && i < cache.close.size(); ++i)
-        if (length_squared(cache.close[i].position - p.at) < corner * corner)
-            u[cache.close[i].place] = 0.0F;
+    for (std::size_t i = 0; p.leaves_corners && i < cache.close.all.size(); ++i)
+        if (length_squared(cache.close.all[i].position - p.at) < corner * corner)
+            u[cache.close.all[i].place] = 0.0F;
     return {u.begin(), u.end()};
 }
 

@@ -64,16 +64,17 @@ void expect_same(const VertexCache& a, const VertexCache& b) {
     expect_same(a.vertex_at, b.vertex_at);
     expect_same(a.hands, b.hands);
     expect_same(a.picks, b.picks);
-    ASSERT_EQ(a.close.size(), b.close.size());
-    for (std::size_t i = 0; i < a.close.size(); ++i)
-        EXPECT_EQ(a.close[i].place, b.close[i].place);
+    expect_same(a.close.first, b.close.first);
+    ASSERT_EQ(a.close.all.size(), b.close.all.size());
+    for (std::size_t i = 0; i < a.close.all.size(); ++i)
+        EXPECT_EQ(a.close.all[i].place, b.close.all[i].place);
     ASSERT_EQ(a.tree.levels.size(), b.tree.levels.size());
-    EXPECT_EQ(a.tree.is_close, b.tree.is_close);
+    EXPECT_EQ(a.tree.left, b.tree.left);
 }
 
 TEST(VertexCache, IsTheSameInUsedMemory) {
     VertexCache used = make_cache(2048, Weighing::tree, true, 0);
-    ASSERT_FALSE(used.picks.empty() || used.close.empty() || used.tree.empty());
+    ASSERT_FALSE(used.picks.empty() || used.close.all.empty() || used.tree.empty());
     for (const Weighing weighing : {Weighing::all, Weighing::tree})
         for (const bool is_guided : {false, true})
             for (const std::size_t paths : {64U, 1000U, 256U}) {

@@ -1,0 +1,191 @@
+#include "isolux/transport/image_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "isolux/transport/surface_event.h"
+
+namespace isolux {
+
+namespace {
+
+/// Candidates of METHODS eq. (146).
+constexpr std::size_t hand_size = 8;
+
+/// Equally far apart on the circle, whatever their number: the fractional parts of these.
+constexpr std::array<double, 3> turns{
+    0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
+
+double turned(double u, std::size_t k, double turn) noexcept {
+    const double v = u + static_cast<double>(k) * turn;
+    return v - std::floor(v);
+}
+
+/// Rounding must not take a reflection at a mirror's rim away.
+bool is_inside(const MirrorImages::Mirror& m, const Point3& p) noexcept {
+    constexpr double rim = 1e-3; // m
+    return p.x > m.lower.x - rim && p.x < m.upper.x + rim && p.y > m.lower.y - rim
+           && p.y < m.upper.y + rim && p.z > m.lower.z - rim && p.z < m.upper.z + rim;
+}
+
+/// Where the light of an emission point arrives from over a chain of mirrors, if it can.
+std::optional<UnitVector3> arrival_by(const MirrorImages& images,
+                                      const std::vector<std::uint32_t>& chain,
+                                      const Point3& from,
+                                      UnitVector3 w,
+                                      const Point3& place) noexcept {
+    Point3 origin = from;
+    for (std::size_t i = chain.size(); i-- > 0;) {
+        const MirrorImages::Mirror& m = images.mirrors()[chain[i]];
+        const double slope = dot(m.normal, w);
+        const double away = dot(m.normal, m.point - origin);
+        if (!(away * slope > 0.0))
+            return std::nullopt;
+        origin = origin + (away / slope) * Vector3(w);
+        if (!is_inside(m, origin))
+            return std::nullopt;
+        w = reflect(w, m.normal);
+    }
+    if (dot(w, place - origin) <= 0.0)
+        return std::nullopt;
+    return -w;
+}
+
+struct Candidate {
+    const std::vector<std::uint32_t>* chain = nullptr;
+    TowardsSample sample;
+    double odds = 0.0;  ///< density of both
+    double light = 0.0; ///< up to a common factor what it would add over `odds`
+};
+
+} // namespace
+
+Point3 image_of(const MirrorImages& images,
+                const std::vector<std::uint32_t>& chain,
+                const Point3& place) noexcept {
+    Point3 p = place;
+    for (const std::uint32_t m : chain) {
+        const MirrorImages::Mirror& mirror = images.mirrors()[m];
+        p = p - (2.0 * dot(mirror.normal, p - mirror.point)) * Vector3(mirror.normal);
+    }
+    return p;
+}
+
+ImageLight trace_image(const Scene& scene,
+                       const Emission& emission,
+                       const MirrorImages& images,
+                       const std::vector<std::uint32_t>& chain,
+                       const Point3& place,
+                       const TowardsSample& sample,
+                       std::uint64_t& rays) noexcept {
+    ImageLight light;
+    light.sample = sample;
+    const Vector3 whole = image_of(images, chain, place) - sample.from.position;
+    const double d2 = length_squared(whole);
+    if (!(d2 > 0.0))
+        return light;
+    UnitVector3 w(whole);
+    double strength = emission.evaluate(sample.from, w) / d2;
+    if (!(strength > 0.0))
+        return light;
+    Point3 origin = emission.departure(sample.from, w);
+    // From the luminaire the chain is met from its far end.
+    for (std::size_t i = chain.size(); i-- > 0;) {
+        for (;;) {
+            const auto hit = scene.caster.find_first_hit(origin, w);
+            ++rays;
+            if (!hit)
+                return light;
+            const Material& material = scene.material(scene.triangle(hit->triangle).material);
+            const SurfaceEvent event =
+                evaluate_surface(material, hit->is_front, std::max(0.0, -dot(hit->normal, w)));
+            if (images.mirror_of(hit->triangle) == chain[i]) {
+                if (event.mirror <= 0.0)
+                    return light;
+                strength *= event.mirror;
+                w = reflect(w, hit->normal);
+                origin = scene.caster.offset_point(hit->position, hit->normal);
+                break;
+            }
+            if (event.straight <= 0.0)
+                return light;
+            strength *= event.straight;
+            origin = scene.caster.offset_point(hit->position, w);
+        }
+    }
+    ++rays;
+    // The rest must point at the place, else the last mirror was met on the wrong side.
+    if (dot(w, place - origin) <= 0.0)
+        return light;
+    light.arrival = -w;
+    light.strength = strength * scene.caster.transmittance(origin, place);
+    return light;
+}
+
+ImageEvent sample_image_event(const Scene& scene,
+                              const Emission& emission,
+                              const MirrorImages& images,
+                              const Point3& at,
+                              const UnitVector3& normal,
+                              NumberSequence& numbers,
+                              std::uint64_t& rays) noexcept {
+    const double u_chain = numbers.next() / images.draws();
+    if (u_chain >= 1.0)
+        return {};
+    const double u_luminaire = numbers.next();
+    const double u = numbers.next();
+    const double v = numbers.next();
+    const double pick = numbers.next();
+    std::array<Candidate, hand_size> hand;
+    double sum = 0.0;
+    for (std::size_t k = 0; k < hand_size; ++k) {
+        const double among =
+            (static_cast<double>(k) + u_chain) / static_cast<double>(hand_size);
+        const auto [chain, probability, strength] = images.draw_chain(among * images.draws());
+        if (chain == nullptr)
+            continue;
+        const Point3 image = image_of(images, *chain, at);
+        const TowardsSample sample = emission.sample_towards(image,
+                                                             turned(u_luminaire, k, turns[0]),
+                                                             turned(u, k, turns[1]),
+                                                             turned(v, k, turns[2]));
+        const Vector3 whole = image - sample.from.position;
+        const double d2 = length_squared(whole);
+        if (!(sample.density > 0.0) || !(d2 > 0.0))
+            continue;
+        const UnitVector3 w(whole);
+        const auto arrival = arrival_by(images, *chain, sample.from.position, w, at);
+        if (!arrival)
+            continue;
+        const double odds = sample.density * probability;
+        const double cosine = std::max(0.0, dot(normal, *arrival));
+        const double light =
+            strength * emission.evaluate(sample.from, w) * cosine / (d2 * odds);
+        hand[k] = {chain, sample, odds, light};
+        sum += light;
+    }
+    if (!(sum > 0.0))
+        return {};
+    double rest = pick * sum;
+    const Candidate* chosen = nullptr;
+    for (const Candidate& c : hand) {
+        if (!(c.light > 0.0))
+            continue;
+        chosen = &c;
+        if (rest < c.light)
+            break;
+        rest -= c.light;
+    }
+    const ImageLight light =
+        trace_image(scene, emission, images, *chosen->chain, at, chosen->sample, rays);
+    const double cosine = std::max(0.0, dot(normal, light.arrival));
+    if (!(light.strength * cosine > 0.0))
+        return {};
+    const std::size_t luminaire = chosen->sample.from.luminaire;
+    const double share = sum / (static_cast<double>(hand_size) * chosen->light * chosen->odds);
+    return {(light.strength * cosine * share) * emission.colour(luminaire), luminaire};
+}
+
+} // namespace isolux
