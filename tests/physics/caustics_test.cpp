@@ -42,6 +42,19 @@ Scene mirrors_and_screen() {
     return b.build();
 }
 
+/// A shaft whose walls mirror nearly all: much of a point source's light comes to its first
+/// surface over more mirrors than there are images for.
+Scene point_in_a_shaft() {
+    test::Builder b;
+    const MaterialId grey = b.add_diffuse(0.7);
+    const MaterialId mirror =
+        b.add_material({"mirror", Opaque{Rgb::grey(0.02), 0.94}, Sides::both});
+    b.add_room({1, 1, 0}, {2, 2, 5}, grey, grey, mirror);
+    b.add_quad({1.4, 1.2, 0.3}, {0, 0.6, 0}, {0, 0, 1.2}, grey);
+    b.add_point({1.3, 1.6, 4.6}, b.add_isotropic_type(1500.0));
+    return b.build();
+}
+
 /// In front of the screen and behind it, by the wall and over the floor.
 std::vector<Receiver> points_nearby() {
     return {{{1.36, 1.2, 0.8}, UnitVector3({-1, 0, 0.5})},
@@ -57,11 +70,12 @@ std::vector<Receiver> points_nearby() {
 struct Who {
     bool chains = true;
     bool rays = true;
+    bool corners = false; ///< both do as (122) says
 };
 
 class Caustics : public testing::Test {
 protected:
-    Caustics() {
+    explicit Caustics(Scene (*make_scene)() = mirrors_and_screen) : scene(make_scene()) {
         engine.paths = 1024;
         engine.directions = 16;
         engine.batches = 32;
@@ -72,6 +86,7 @@ protected:
         EffectiveCounts counts = engine.counts();
         counts.images = &engine.images;
         counts.caustic = 0.5;
+        counts.corner = who.corners ? 0.3 : 0.0;
         return engine.sample(
             points, replicates, [&](std::uint32_t r, std::vector<double>& row) {
                 const VertexCache cache = build_vertex_cache(engine.scene,
@@ -84,15 +99,15 @@ protected:
                                                              {},
                                                              weighing);
                 std::vector<Rgb> sums(points.size());
-                gather_locally(cache, who.chains, seed, r, sums);
-                gather_by_rays(cache, counts, who.rays, seed, r, sums);
+                gather_locally(cache, who, seed, r, sums);
+                gather_by_rays(cache, counts, who, seed, r, sums);
                 for (std::size_t i = 0; i < points.size(); ++i)
                     row[i] += luminance_sum(sums[i]);
             });
     }
 
     void gather_locally(const VertexCache& cache,
-                        bool leaves_mirrored,
+                        const Who& who,
                         std::uint64_t seed,
                         std::uint32_t replicate,
                         std::vector<Rgb>& sums) const {
@@ -104,15 +119,15 @@ protected:
                               subset.uniform(i, 0),
                               engine.draws,
                               static_cast<double>(engine.directions),
-                              false,
-                              leaves_mirrored});
+                              who.corners,
+                              who.chains});
         LocalScratch scratch;
         gather_local_estimates(engine.scene, cache, locals, Weighting::balanced, scratch, sums);
     }
 
     void gather_by_rays(const VertexCache& cache,
                         const EffectiveCounts& counts,
-                        bool leaves_mirrored,
+                        const Who& who,
                         std::uint64_t seed,
                         std::uint32_t replicate,
                         std::vector<Rgb>& sums) const {
@@ -123,9 +138,9 @@ protected:
                                {seed, StreamPurpose::gather, replicate, i},
                                engine.directions,
                                0,
-                               false,
+                               who.corners,
                                true,
-                               leaves_mirrored});
+                               who.rays});
         WalkFront front;
         front.start(engine.scene, engine.emission, engine.images, senders);
         front.share_with(cache, counts);
@@ -133,7 +148,7 @@ protected:
         front.run({sums, nullptr, {}, {}});
     }
 
-    Scene scene = mirrors_and_screen();
+    Scene scene;
     SmallEngine engine{scene};
     std::vector<Receiver> points = points_nearby();
 };
@@ -151,6 +166,34 @@ TEST_F(Caustics, LeftToRaysKeepTheMean) {
     // Power: 3 % of the mean would be seen.
     const double error = std::hypot(left.mean().standard_error, kept.mean().standard_error);
     EXPECT_LT(z_limit * error, 0.03 * kept.mean().mean);
+}
+
+/// One ray then looks for both.
+TEST_F(Caustics, InCornersKeepTheMean) {
+    const test::Sample both = run({true, true, true}, 9);
+    const test::Sample one = run({}, 1);
+    for (std::uint32_t k = 0; k < 8; ++k)
+        EXPECT_LT(std::abs(z_score(both.projection(k), one.projection(k))), z_limit) << k;
+}
+
+class HiddenCaustics : public Caustics {
+protected:
+    HiddenCaustics() : Caustics(point_in_a_shaft) {
+        points = {{{1.36, 1.4, 0.8}, UnitVector3({-1, 0, 0.5})},
+                  {{1.36, 1.6, 1.1}, UnitVector3({0, 0, 1})},
+                  {{1.44, 1.4, 0.7}, UnitVector3({1, 0, 0.2})}};
+    }
+};
+
+TEST_F(HiddenCaustics, OfAPointSourceThatRaysDoNotFindStayWithTheChains) {
+    const Estimate kept = run({false, false}, 2).mean();
+    for (const bool corners : {false, true}) {
+        const Estimate left = run({true, true, corners}, 1).mean();
+        EXPECT_LT(std::abs(z_score(left, kept)), z_limit)
+            << corners << ' ' << left.mean << " +- " << left.standard_error << ", " << kept.mean
+            << " +- " << kept.standard_error;
+        EXPECT_LT(std::hypot(left.standard_error, kept.standard_error), 0.006 * kept.mean);
+    }
 }
 
 TEST_F(Caustics, LeftToRaysKeepTheMeanInATree) {

@@ -17,6 +17,10 @@ constexpr double edge_factor = 0.8;
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
 
+/// Caustics are left to gather rays so much nearer than within reach of them, METHODS eq.
+/// (145): beyond that the chains that brought them are many.
+constexpr double caustic_factor = 0.5;
+
 /// Points nearer than these to what could send them light are classes of their own, m; the
 /// third border is widest_edge.
 constexpr double beside_class = 0.1;
@@ -81,10 +85,10 @@ double Engine::corner_of(double paths) const noexcept {
     return std::min(widest_edge, edge_factor * std::sqrt(scene_->total_area / paths));
 }
 
-/// Radius of METHODS eq. (145), m: surfaces nearer than that need gather rays.
+/// Radius of METHODS eq. (145), m.
 double Engine::caustic_of(double paths) const noexcept {
     return settings_.estimator == Estimator::automatic && images_.scene_has_mirrors()
-               ? std::min(farthest_ahead, reach_.radius(paths))
+               ? caustic_factor * std::min(farthest_ahead, reach_.radius(paths))
                : 0.0;
 }
 

@@ -318,7 +318,7 @@ struct Pair {
     [[nodiscard]] Rgb imaged_points(const SubpathVertex& y) const {
         if (images.chains().empty() || !y.only_mirrors)
             return {};
-        const auto [chain, probability, strength] = images.draw_chain(numbers.next());
+        const auto [chain, probability] = images.draw_chain(numbers.next());
         if (chain == nullptr)
             return {};
         const double u_luminaire = numbers.next();

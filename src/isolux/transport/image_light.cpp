@@ -30,13 +30,19 @@ bool is_inside(const MirrorImages::Mirror& m, const Point3& p) noexcept {
            && p.y < m.upper.y + rim && p.z > m.lower.z - rim && p.z < m.upper.z + rim;
 }
 
+struct Arrival {
+    UnitVector3 from;
+    double strength = 1.0; ///< at most so much of the light is reflected
+};
+
 /// Where the light of an emission point arrives from over a chain of mirrors, if it can.
-std::optional<UnitVector3> arrival_by(const MirrorImages& images,
-                                      const std::vector<std::uint32_t>& chain,
-                                      const Point3& from,
-                                      UnitVector3 w,
-                                      const Point3& place) noexcept {
+std::optional<Arrival> arrival_by(const MirrorImages& images,
+                                  const std::vector<std::uint32_t>& chain,
+                                  const Point3& from,
+                                  UnitVector3 w,
+                                  const Point3& place) noexcept {
     Point3 origin = from;
+    double strength = 1.0;
     for (std::size_t i = chain.size(); i-- > 0;) {
         const MirrorImages::Mirror& m = images.mirrors()[chain[i]];
         const double slope = dot(m.normal, w);
@@ -47,10 +53,11 @@ std::optional<UnitVector3> arrival_by(const MirrorImages& images,
         if (!is_inside(m, origin))
             return std::nullopt;
         w = reflect(w, m.normal);
+        strength *= m.strength;
     }
     if (dot(w, place - origin) <= 0.0)
         return std::nullopt;
-    return -w;
+    return Arrival{-w, strength};
 }
 
 struct Candidate {
@@ -143,7 +150,7 @@ ImageEvent sample_image_event(const Scene& scene,
     for (std::size_t k = 0; k < hand_size; ++k) {
         const double among =
             (static_cast<double>(k) + u_chain) / static_cast<double>(hand_size);
-        const auto [chain, probability, strength] = images.draw_chain(among * images.draws());
+        const auto [chain, probability] = images.draw_chain(among * images.draws());
         if (chain == nullptr)
             continue;
         const Point3 image = image_of(images, *chain, at);
@@ -160,9 +167,9 @@ ImageEvent sample_image_event(const Scene& scene,
         if (!arrival)
             continue;
         const double odds = sample.density * probability;
-        const double cosine = std::max(0.0, dot(normal, *arrival));
+        const double cosine = std::max(0.0, dot(normal, arrival->from));
         const double light =
-            strength * emission.evaluate(sample.from, w) * cosine / (d2 * odds);
+            arrival->strength * emission.evaluate(sample.from, w) * cosine / (d2 * odds);
         hand[k] = {chain, sample, odds, light};
         sum += light;
     }

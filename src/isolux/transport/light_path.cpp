@@ -52,6 +52,7 @@ struct Flight {
     bool is_first = true; ///< no vertex yet
     bool behind_mirror = false; ///< a Dirac reflection since the last vertex
     MirrorsMet mirrors;         ///< before the first vertex
+    bool is_hidden = false;     ///< as the vertices will say
     std::uint32_t bounce = 0;
     std::uint32_t order = 1;
     std::uint32_t reflections = 0; ///< diffuse ones
@@ -168,7 +169,7 @@ private:
     }
 
     /// Only the diffuse part connects.
-    void keep_vertex(const Flight& f, const Meeting& m, double cos_in, MaterialId material) {
+    void keep_vertex(Flight& f, const Meeting& m, double cos_in, MaterialId material) {
         const std::size_t vertex = vertices_.size();
         PathVertex& v = vertices_.emplace_back();
         v.position = m.clear;
@@ -181,7 +182,9 @@ private:
         v.material = material;
         v.back = f.reflections == 0 ? 0 : static_cast<std::uint32_t>(vertex - f.last);
         v.is_first = f.is_first && !f.behind_mirror;
-        v.is_mirrored = f.behind_mirror && images_ != nullptr && is_found_by_rays(f);
+        if (f.is_first)
+            f.is_hidden = starts_hidden(f);
+        v.is_hidden = f.is_hidden;
         if (f.behind_mirror)
             v.density = after_mirror;
         else if (f.is_first)
@@ -192,9 +195,9 @@ private:
     }
 
     /// Light of a point source over mirrors without an image is found by light paths alone.
-    [[nodiscard]] bool is_found_by_rays(const Flight& f) const noexcept {
-        return !f.is_first || images_->covers(f.mirrors)
-               || !shines_as_point(emission_.luminaire(start_.from.luminaire));
+    [[nodiscard]] bool starts_hidden(const Flight& f) const noexcept {
+        return f.behind_mirror && images_ != nullptr && !images_->covers(f.mirrors)
+               && shines_as_point(emission_.luminaire(start_.from.luminaire));
     }
 
     /// As how many flights, if any: what is killed is absorbed in the mean. The others wait

@@ -29,8 +29,9 @@ struct PathVertex {
     /// How many vertices before this one the path was last reflected diffusely; 0: never.
     std::uint32_t back = 0;
     bool is_first = false; ///< lit straight by a luminaire: order 1 and no mirror on the way
-    /// Lit by a mirror in a way that rays from the surface would find, METHODS eq. (145).
-    bool is_mirrored = false;
+    /// Whether the path began at a point source and over mirrors whose chain has no image: no
+    /// ray from a surface finds its light.
+    bool is_hidden = false;
 };
 
 inline constexpr double after_mirror = std::numeric_limits<double>::infinity();

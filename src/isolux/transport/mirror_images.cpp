@@ -172,14 +172,14 @@ void MirrorImages::choose_chains(const Scene& scene, const Rest& untold) {
     const bool all_count = mirrors_.size() <= most_chains / 2
                            && std::ranges::any_of(scene.luminaires, shines_as_point);
     Rest rest = untold;
-    double strongest = untold.strength;
+    strongest_ = untold.strength;
     double second = untold.strength; // there may be two of them
     std::vector<std::uint32_t> imaged;
     for (std::uint32_t m = 0; m < mirrors_.size(); ++m) {
         const double strength = mirrors_[m].strength;
         const double area = mirrors_[m].area;
-        second = std::max(second, std::min(strongest, strength));
-        strongest = std::max(strongest, strength);
+        second = std::max(second, std::min(strongest_, strength));
+        strongest_ = std::max(strongest_, strength);
         if (area > 0.0 && (all_count || strength * area >= least_share * scene.total_area))
             imaged.push_back(m);
         else
@@ -199,8 +199,8 @@ void MirrorImages::choose_chains(const Scene& scene, const Rest& untold) {
         c /= std::max(sum, 1.0);
 
     const std::size_t n = complete_length(chosen, imaged.size());
-    const double longer = imaged.size() > 1 ? bound_beyond(strongest, second, n) : 0.0;
-    share_without_image_ = rest.light > 0.0 ? bound_beyond(strongest, second, 0) : longer;
+    const double longer = imaged.size() > 1 ? bound_beyond(strongest_, second, n) : 0.0;
+    share_without_image_ = rest.light > 0.0 ? bound_beyond(strongest_, second, 0) : longer;
     expected_without_image_ = longer + (rest.light > 0.0 ? rest.light / scene.total_area : 0.0);
 }
 
@@ -232,8 +232,7 @@ MirrorImages::DrawnChain MirrorImages::draw_chain(double u) const noexcept {
     if (found == cumulative_.end())
         return {};
     const double before = found == cumulative_.begin() ? 0.0 : *(found - 1);
-    const auto c = static_cast<std::size_t>(found - cumulative_.begin());
-    return {&chains_[c], *found - before, strengths_[c]};
+    return {&chains_[static_cast<std::size_t>(found - cumulative_.begin())], *found - before};
 }
 
 } // namespace isolux

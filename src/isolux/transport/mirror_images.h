@@ -74,7 +74,7 @@ public:
         return chain != no_image && chain != no_mirror;
     }
 
-    /// Whether the receiver's rays leave what a light path did to the images.
+    /// Whether the chain of mirrors that a light path met has an image.
     [[nodiscard]] bool covers(const MirrorsMet& mirrors) const noexcept;
 
     /// The imaged sequences of mirrors, nearest to the receiver first.
@@ -86,6 +86,9 @@ public:
     [[nodiscard]] double strength(std::size_t chain) const noexcept {
         return strengths_[chain];
     }
+
+    /// s_m of METHODS eq. (125) of the strongest mirror, with an image or without.
+    [[nodiscard]] double strongest() const noexcept { return strongest_; }
 
     /// The most that chains without an image can bring, as a share of the light that meets
     /// mirrors, METHODS eq. (143); panes as they reflect light that falls nearly straight.
@@ -101,7 +104,6 @@ public:
     struct DrawnChain {
         const std::vector<std::uint32_t>* chain = nullptr; ///< null: none
         double probability = 0.0;
-        double strength = 0.0; ///< as strength() says
     };
 
     [[nodiscard]] DrawnChain draw_chain(double u) const noexcept;
@@ -140,6 +142,7 @@ private:
     std::vector<std::size_t> mirror_of_triangle_;
     std::vector<std::vector<std::uint32_t>> chains_;
     std::vector<std::uint32_t> next_; ///< [no_mirror or 1 + chain][mirror]: 1 + longer chain
+    double strongest_ = 0.0;
     double share_without_image_ = 0.0;
     double expected_without_image_ = 0.0;
 };

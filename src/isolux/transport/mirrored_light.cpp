@@ -42,7 +42,7 @@ Rgb MirroredLight::estimate(const Point3& at,
             const double v = u + static_cast<double>(d) / static_cast<double>(draws);
             return v < 1.0 ? v : v - 1.0;
         };
-        const auto [chain, among_all, strength] =
+        const auto [chain, among_all] =
             images_->draw_chain(turned(numbers[0]) * images_->draws());
         if (chain == nullptr)
             continue;

@@ -32,7 +32,7 @@ Rgb direct_at(const Scene& scene,
     ++rays;
     if (images.chains().empty())
         return e;
-    const auto [chain, probability, strength] = images.draw_chain(numbers.next());
+    const auto [chain, probability] = images.draw_chain(numbers.next());
     if (chain == nullptr)
         return e;
     const double u_l = numbers.next();

@@ -106,21 +106,22 @@ void find_bounds(VertexBlock& block, std::span<const std::size_t> places) noexce
 }
 
 /// METHODS eq. (122): whether a chain came to a vertex straight from nearby.
-bool is_close(const VertexCache& cache, std::size_t vertex, double corner) noexcept {
+bool is_close(const VertexCache& cache, std::size_t vertex) noexcept {
     const PathVertex& v = cache.vertices[vertex];
-    if (v.back == 0 || v.density == after_mirror)
-        return false;
-    return length_squared(v.position - cache.vertices[vertex - v.back].position)
-           < corner * corner;
+    const double radius = cache.close.radius;
+    return v.back != 0 && v.density != after_mirror
+           && length_squared(v.position - cache.vertices[vertex - v.back].position)
+                  < radius * radius;
 }
 
 /// What points may leave to their rays: bits of VertexTree::left.
 std::uint8_t left_to_rays(const VertexCache& cache, std::size_t vertex) noexcept {
-    return static_cast<std::uint8_t>(
-        (is_close(cache, vertex, cache.close.radius) ? VertexTree::close : 0U)
-        | (cache.mirrored.radius > 0.0 && cache.vertices[vertex].is_mirrored
-               ? VertexTree::mirrored
-               : 0U));
+    const PathVertex& v = cache.vertices[vertex];
+    if (v.is_hidden)
+        return 0;
+    const bool is_mirrored = cache.mirrored.radius > 0.0 && v.density == after_mirror;
+    return static_cast<std::uint8_t>((is_close(cache, vertex) ? VertexTree::close : 0U)
+                                     | (is_mirrored ? VertexTree::mirrored : 0U));
 }
 
 void list(VertexCache& cache, std::uint8_t left, std::size_t vertex, std::size_t place) {

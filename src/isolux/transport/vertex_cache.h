@@ -42,11 +42,6 @@ struct LeftVertices {
 
     /// @pre  called in the order of the blocks
     void add(const Point3& position, std::size_t place);
-
-    void clear() noexcept {
-        all.clear();
-        first.clear();
-    }
 };
 
 /// Vertices that a gather ray looks at before it takes one, side by side: neighbours in path

@@ -175,7 +175,18 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
     if (left.mirrors)
         collect_images(walk, y);
     if (left.any())
-        offer(walk, y, left);
+        leave(walk, y, left);
+}
+
+/// Weak mirrors alone are worth a walk now and then, METHODS eq. (145).
+void WalkFront::leave(Walk& walk, Meeting y, Left left) {
+    if (!left.corners) {
+        const double often = std::min(1.0, images_->strongest());
+        if (walk.numbers.next() >= often)
+            return;
+        y.throughput /= often;
+    }
+    offer(walk, y, left);
 }
 
 /// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself.

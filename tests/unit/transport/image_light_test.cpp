@@ -116,7 +116,7 @@ TEST_F(ImageEvent, HasTheMeanOfAllChains) {
 /// matter.
 TEST_F(ImageEvent, VariesLessThanTheFirstThatComes) {
     const auto first = [&](const Place& p, NumberSequence& numbers) {
-        const auto [chain, probability, strength] = images.draw_chain(numbers.next());
+        const auto [chain, probability] = images.draw_chain(numbers.next());
         if (chain == nullptr)
             return 0.0;
         const double u_luminaire = numbers.next();

@@ -37,7 +37,7 @@ TEST(MirrorImages, DrawStrongChainsMoreOften) {
     std::map<std::vector<std::uint32_t>, double> probability;
     int none = 0;
     for (int i = 0; i < draws; ++i) {
-        const auto [chain, p, strength] = images.draw_chain((i + 0.5) / draws);
+        const auto [chain, p] = images.draw_chain((i + 0.5) / draws);
         if (chain == nullptr) {
             ++none;
             continue;

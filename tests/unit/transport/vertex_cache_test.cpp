@@ -18,7 +18,9 @@ const Scene& room() {
         test::Builder b;
         const MaterialId grey = b.add_diffuse(0.6);
         b.add_room({0, 0, 0}, {5, 4, 3}, grey, grey, grey);
-        b.add_quad({1, 1, 0.7}, {2, 0, 0}, {0, 1, 0}, grey);
+        const MaterialId glossy =
+            b.add_material({"glossy", Opaque{Rgb::grey(0.4), 0.3}, Sides::both});
+        b.add_quad({1, 1, 0.7}, {2, 0, 0}, {0, 1, 0}, glossy);
         b.add_panel({2.0, 2.0, 2.9}, {0, 0.6, 0}, {0.6, 0, 0}, 3000.0);
         return b.build();
     }();
@@ -36,7 +38,7 @@ VertexCache make_cache(std::size_t paths,
                               PathRandomness(7, replicate),
                               0,
                               paths,
-                              {m, 2.5 * m, 1.0, 1.0, 0.5},
+                              {m, 2.5 * m, 1.0, 1.0, 0.5, 0.0, 0.3},
                               is_guided ? test::random_importance(room(), 3) : PathImportance{},
                               {},
                               weighing,
@@ -48,6 +50,14 @@ template <class T> void expect_same(const std::vector<T>& a, const std::vector<T
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i)
         EXPECT_EQ(std::memcmp(&a[i], &b[i], sizeof(T)), 0) << i;
+}
+
+void expect_same(const LeftVertices& a, const LeftVertices& b) {
+    EXPECT_EQ(a.radius, b.radius);
+    expect_same(a.first, b.first);
+    ASSERT_EQ(a.all.size(), b.all.size());
+    for (std::size_t i = 0; i < a.all.size(); ++i)
+        EXPECT_EQ(a.all[i].place, b.all[i].place);
 }
 
 void expect_same(const VertexCache& a, const VertexCache& b) {
@@ -64,17 +74,16 @@ void expect_same(const VertexCache& a, const VertexCache& b) {
     expect_same(a.vertex_at, b.vertex_at);
     expect_same(a.hands, b.hands);
     expect_same(a.picks, b.picks);
-    expect_same(a.close.first, b.close.first);
-    ASSERT_EQ(a.close.all.size(), b.close.all.size());
-    for (std::size_t i = 0; i < a.close.all.size(); ++i)
-        EXPECT_EQ(a.close.all[i].place, b.close.all[i].place);
+    expect_same(a.close, b.close);
+    expect_same(a.mirrored, b.mirrored);
     ASSERT_EQ(a.tree.levels.size(), b.tree.levels.size());
     EXPECT_EQ(a.tree.left, b.tree.left);
 }
 
 TEST(VertexCache, IsTheSameInUsedMemory) {
     VertexCache used = make_cache(2048, Weighing::tree, true, 0);
-    ASSERT_FALSE(used.picks.empty() || used.close.all.empty() || used.tree.empty());
+    ASSERT_FALSE(used.picks.empty() || used.close.all.empty() || used.mirrored.all.empty()
+                 || used.tree.empty());
     for (const Weighing weighing : {Weighing::all, Weighing::tree})
         for (const bool is_guided : {false, true})
             for (const std::size_t paths : {64U, 1000U, 256U}) {
