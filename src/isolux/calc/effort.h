@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,11 +37,6 @@ public:
 
     /// Within this distance it matters how far surfaces are, however many paths there are, m.
     [[nodiscard]] double farthest() const noexcept;
-
-    /// Points nearer than this to a surface gather, m; endless where all do.
-    [[nodiscard]] double radius(double paths) const noexcept {
-        return std::sqrt(area_ / paths);
-    }
 
     /// @param ahead  distance to the nearest surface that could send a point light, m
     [[nodiscard]] bool includes(double ahead, double paths) const noexcept {

@@ -17,9 +17,8 @@ constexpr double edge_factor = 0.8;
 /// ... but no farther than this, m: beyond it LE-MIS is the better estimator whatever A is.
 constexpr double widest_edge = 0.5;
 
-/// Caustics are left to gather rays so much nearer than within reach of them, METHODS eq.
-/// (145): beyond that the chains that brought them are many.
-constexpr double caustic_factor = 0.5;
+/// Caustics are left to such walks within this share of the distance, METHODS eq. (145).
+constexpr double caustic_share = 0.3;
 
 /// Points nearer than these to what could send them light are classes of their own, m; the
 /// third border is widest_edge.
@@ -87,9 +86,7 @@ double Engine::corner_of(double paths) const noexcept {
 
 /// Radius of METHODS eq. (145), m.
 double Engine::caustic_of(double paths) const noexcept {
-    return settings_.estimator == Estimator::automatic && images_.scene_has_mirrors()
-               ? caustic_factor * std::min(farthest_ahead, reach_.radius(paths))
-               : 0.0;
+    return images_.scene_has_mirrors() ? caustic_share * corner_of(paths) : 0.0;
 }
 
 /// Distances to the surfaces around; receivers that lie on one are moved off it.
