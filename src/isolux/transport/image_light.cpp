@@ -14,7 +14,7 @@ namespace {
 /// Candidates of METHODS eq. (146).
 constexpr std::size_t hand_size = 8;
 
-/// Equally far apart on the circle, whatever their number: the fractional parts of these.
+/// Multiples of these, without their whole parts, are spread nearly evenly.
 constexpr std::array<double, 3> turns{
     0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
 

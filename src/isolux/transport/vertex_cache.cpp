@@ -119,7 +119,8 @@ std::uint8_t left_to_rays(const VertexCache& cache, std::size_t vertex) noexcept
     const PathVertex& v = cache.vertices[vertex];
     if (v.is_hidden)
         return 0;
-    const bool is_mirrored = cache.mirrored.radius > 0.0 && v.density == after_mirror;
+    const bool is_mirrored =
+        cache.mirrored.radius > 0.0 && v.density == after_mirror && !v.is_first;
     return static_cast<std::uint8_t>((is_close(cache, vertex) ? VertexTree::close : 0U)
                                      | (is_mirrored ? VertexTree::mirrored : 0U));
 }
@@ -219,6 +220,7 @@ void deal_hands(VertexCache& cache) {
             static_cast<float>(cache.share_of(vertex) * luminance_sum(v.radiant));
         hand.continuation[i] = static_cast<float>(v.continuation);
         hand.vertex[i] = static_cast<std::uint32_t>(vertex);
+        cache.has_hidden = cache.has_hidden || v.is_hidden;
     }
 }
 

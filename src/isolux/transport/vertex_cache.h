@@ -73,10 +73,11 @@ struct VertexCache {
     /// Where importance drew more vertices than there is flux: some of them in proportion to
     /// what they carry, for who wants some at random. Empty: any will do.
     std::vector<std::uint32_t> picks;
-    double carried = 0.0;  ///< by all vertices, lm
-    LeftVertices close;    ///< their chains came straight from nearby, METHODS eq. (122)
-    LeftVertices mirrored; ///< lit by mirrors, METHODS eq. (145)
-    VertexTree tree;       ///< empty where all vertices are to be weighed
+    double carried = 0.0;    ///< by all vertices, lm
+    bool has_hidden = false; ///< PathVertex::is_hidden of any
+    LeftVertices close;      ///< their chains came straight from nearby, METHODS eq. (122)
+    LeftVertices mirrored;   ///< lit by mirrors, METHODS eq. (145)
+    VertexTree tree;         ///< empty where all vertices are to be weighed
     FluxTally flux;
 
     [[nodiscard]] std::size_t size() const noexcept { return vertices.size(); }

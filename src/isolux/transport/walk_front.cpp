@@ -175,11 +175,11 @@ void WalkFront::gather_at(Walk& walk, const Meeting& y) {
     if (left.mirrors)
         collect_images(walk, y);
     if (left.any())
-        leave(walk, y, left);
+        take_on(walk, y, left);
 }
 
 /// Weak mirrors alone are worth a walk now and then, METHODS eq. (145).
-void WalkFront::leave(Walk& walk, Meeting y, Left left) {
+void WalkFront::take_on(Walk& walk, Meeting y, Left left) {
     if (!left.corners) {
         const double often = std::min(1.0, images_->strongest());
         if (walk.numbers.next() >= often)
@@ -189,13 +189,15 @@ void WalkFront::leave(Walk& walk, Meeting y, Left left) {
     offer(walk, y, left);
 }
 
-/// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself.
+/// METHODS "LE-MIS", T2 for k >= 3. Vertices nearer than `nearest` are left to the walk itself,
+/// if it finds their light.
 void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double u, double nearest) {
     const double p2 = walk.pdf * y.cosine / (y.travelled * y.travelled);
     const double n2p2 = gathered(walk) * counts_.gather_later * p2;
+    const double surely_left = cache_->has_hidden ? 0.0 : nearest;
     const auto chosen =
         choose_vertex(*cache_,
-                      {y.at, y.normal, counts_.vertices / n2p2, nearest, counts_.area},
+                      {y.at, y.normal, counts_.vertices / n2p2, surely_left, counts_.area},
                       u,
                       walk.numbers.next());
     if (!chosen)
@@ -204,7 +206,7 @@ void WalkFront::connect_vertex(Walk& walk, const Meeting& y, double u, double ne
     const PathVertex& v = cache_->vertices[drawn];
     const Vector3 d = y.at - v.position;
     const double d2 = length_squared(d);
-    if (!(d2 > 0.0) || d2 < nearest * nearest)
+    if (!(d2 > 0.0) || (d2 < nearest * nearest && !v.is_hidden))
         return;
     const double inverse = 1.0 / std::sqrt(d2);
     const double cos_v = inverse * dot(v.normal, d);

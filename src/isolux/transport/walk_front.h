@@ -88,7 +88,7 @@ private:
     void connect_vertex(Walk& walk, const Meeting& y, double u, double nearest);
     void collect_at(Walk& walk, const Meeting& y);
     void collect_images(Walk& walk, const Meeting& y);
-    void leave(Walk& walk, Meeting y, Left left);
+    void take_on(Walk& walk, Meeting y, Left left);
     void offer(Walk& walk, const Meeting& y, Left left);
 
     /// N2 of the walk's point.

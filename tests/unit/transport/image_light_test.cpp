@@ -138,11 +138,11 @@ TEST_F(ImageEvent, VariesLessThanTheFirstThatComes) {
     }
 }
 
-TEST_F(ImageEvent, OfAPlaceThatNoMirrorLightsIsNothing) {
-    const Place behind_the_mirror{{0.02, 1.0, 1.0}, UnitVector3({-1, 0, 0})};
-    const Estimate a =
-        mean_of(5, [&](NumberSequence& n) { return chosen(behind_the_mirror, n); });
+TEST_F(ImageEvent, FromBehindIsNotEvenTraced) {
+    const Place faces_out{{2.0, 1.2, 2.499}, UnitVector3({0, 0, 1})};
+    const Estimate a = mean_of(5, [&](NumberSequence& n) { return chosen(faces_out, n); });
     EXPECT_EQ(a.mean, 0.0);
+    EXPECT_EQ(rays, 0U);
 }
 
 } // namespace
