@@ -60,12 +60,61 @@ std::optional<Arrival> arrival_by(const MirrorImages& images,
     return Arrival{-w, strength};
 }
 
+/// One chain and place on a luminaire, and what they promise.
 struct Candidate {
     const std::vector<std::uint32_t>* chain = nullptr;
     TowardsSample sample;
-    double odds = 0.0;  ///< density of both
-    double light = 0.0; ///< up to a common factor what it would add over `odds`
+    double odds = 0.0;  ///< q of METHODS eq. (146)
+    double light = 0.0; ///< t of METHODS eq. (146), up to a common factor
 };
+
+/// A surface that mirrors throw light on.
+struct Place {
+    const Point3& at;
+    const UnitVector3& normal;
+};
+
+Candidate draw_candidate(const Emission& emission,
+                         const MirrorImages& images,
+                         const Place& place,
+                         double u_chain,
+                         const std::array<double, 3>& u) noexcept {
+    const auto [chain, probability] = images.draw_chain(u_chain);
+    if (chain == nullptr)
+        return {};
+    const Point3 image = image_of(images, *chain, place.at);
+    const TowardsSample sample = emission.sample_towards(image, u[0], u[1], u[2]);
+    const Vector3 whole = image - sample.from.position;
+    const double d2 = length_squared(whole);
+    if (!(sample.density > 0.0) || !(d2 > 0.0))
+        return {};
+    const UnitVector3 w(whole);
+    const auto arrival = arrival_by(images, *chain, sample.from.position, w, place.at);
+    if (!arrival)
+        return {};
+    const double odds = sample.density * probability;
+    const double cosine = std::max(0.0, dot(place.normal, arrival->from));
+    return {chain,
+            sample,
+            odds,
+            arrival->strength * emission.evaluate(sample.from, w) * cosine / (d2 * odds)};
+}
+
+using Hand = std::array<Candidate, hand_size>;
+
+/// @pre  one of them promises light
+const Candidate& choose(const Hand& hand, double rest) noexcept {
+    const Candidate* chosen = nullptr;
+    for (const Candidate& c : hand) {
+        if (!(c.light > 0.0))
+            continue;
+        chosen = &c;
+        if (rest < c.light)
+            break;
+        rest -= c.light;
+    }
+    return *chosen;
+}
 
 } // namespace
 
@@ -141,57 +190,31 @@ ImageEvent sample_image_event(const Scene& scene,
     const double u_chain = numbers.next() / images.draws();
     if (u_chain >= 1.0)
         return {};
-    const double u_luminaire = numbers.next();
-    const double u = numbers.next();
-    const double v = numbers.next();
+    const std::array<double, 3> u{numbers.next(), numbers.next(), numbers.next()};
     const double pick = numbers.next();
-    std::array<Candidate, hand_size> hand;
+    Hand hand;
     double sum = 0.0;
     for (std::size_t k = 0; k < hand_size; ++k) {
         const double among =
             (static_cast<double>(k) + u_chain) / static_cast<double>(hand_size);
-        const auto [chain, probability] = images.draw_chain(among * images.draws());
-        if (chain == nullptr)
-            continue;
-        const Point3 image = image_of(images, *chain, at);
-        const TowardsSample sample = emission.sample_towards(image,
-                                                             turned(u_luminaire, k, turns[0]),
-                                                             turned(u, k, turns[1]),
-                                                             turned(v, k, turns[2]));
-        const Vector3 whole = image - sample.from.position;
-        const double d2 = length_squared(whole);
-        if (!(sample.density > 0.0) || !(d2 > 0.0))
-            continue;
-        const UnitVector3 w(whole);
-        const auto arrival = arrival_by(images, *chain, sample.from.position, w, at);
-        if (!arrival)
-            continue;
-        const double odds = sample.density * probability;
-        const double cosine = std::max(0.0, dot(normal, arrival->from));
-        const double light =
-            arrival->strength * emission.evaluate(sample.from, w) * cosine / (d2 * odds);
-        hand[k] = {chain, sample, odds, light};
-        sum += light;
+        hand[k] = draw_candidate(
+            emission,
+            images,
+            {at, normal},
+            among * images.draws(),
+            {turned(u[0], k, turns[0]), turned(u[1], k, turns[1]), turned(u[2], k, turns[2])});
+        sum += hand[k].light;
     }
     if (!(sum > 0.0))
         return {};
-    double rest = pick * sum;
-    const Candidate* chosen = nullptr;
-    for (const Candidate& c : hand) {
-        if (!(c.light > 0.0))
-            continue;
-        chosen = &c;
-        if (rest < c.light)
-            break;
-        rest -= c.light;
-    }
+    const Candidate& chosen = choose(hand, pick * sum);
     const ImageLight light =
-        trace_image(scene, emission, images, *chosen->chain, at, chosen->sample, rays);
+        trace_image(scene, emission, images, *chosen.chain, at, chosen.sample, rays);
     const double cosine = std::max(0.0, dot(normal, light.arrival));
     if (!(light.strength * cosine > 0.0))
         return {};
-    const std::size_t luminaire = chosen->sample.from.luminaire;
-    const double share = sum / (static_cast<double>(hand_size) * chosen->light * chosen->odds);
+    const std::size_t luminaire = chosen.sample.from.luminaire;
+    const double share = sum / (static_cast<double>(hand_size) * chosen.light * chosen.odds);
     return {(light.strength * cosine * share) * emission.colour(luminaire), luminaire};
 }
 
