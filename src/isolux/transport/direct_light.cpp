@@ -144,11 +144,7 @@ bool may_reflect(const MirrorImages& images,
         return true;
     // The box of the mirror is tried, grown by the size of the opening.
     const Point3 p = from + (above / (above - below)) * (image - from);
-    const auto inside = [reach](double v, double lower, double upper) {
-        return v >= lower - 2.0 * reach && v <= upper + 2.0 * reach;
-    };
-    return inside(p.x, m.lower.x, m.upper.x) && inside(p.y, m.lower.y, m.upper.y)
-           && inside(p.z, m.lower.z, m.upper.z);
+    return m.box_holds(p, 2.0 * reach);
 }
 
 double image_light(const Scene& scene,

@@ -23,12 +23,8 @@ double turned(double u, std::size_t k, double turn) noexcept {
     return v - std::floor(v);
 }
 
-/// Rounding must not take a reflection at a mirror's rim away.
-bool is_inside(const MirrorImages::Mirror& m, const Point3& p) noexcept {
-    constexpr double rim = 1e-3; // m
-    return p.x > m.lower.x - rim && p.x < m.upper.x + rim && p.y > m.lower.y - rim
-           && p.y < m.upper.y + rim && p.z > m.lower.z - rim && p.z < m.upper.z + rim;
-}
+/// Rounding must not take a reflection at a mirror's rim away, m.
+constexpr double rim = 1e-3;
 
 struct Arrival {
     UnitVector3 from;
@@ -50,7 +46,7 @@ std::optional<Arrival> arrival_by(const MirrorImages& images,
         if (!(away * slope > 0.0))
             return std::nullopt;
         origin = origin + (away / slope) * Vector3(w);
-        if (!is_inside(m, origin))
+        if (!m.box_holds(origin, rim))
             return std::nullopt;
         w = reflect(w, m.normal);
         strength *= m.strength;

@@ -130,6 +130,14 @@ std::size_t complete_length(std::span<const Candidate> chains, std::size_t mirro
 
 } // namespace
 
+bool MirrorImages::Mirror::box_holds(const Point3& p, double slack) const noexcept {
+    const auto inside = [slack](double v, double least, double most) {
+        return v >= least - slack && v <= most + slack;
+    };
+    return inside(p.x, lower.x, upper.x) && inside(p.y, lower.y, upper.y)
+           && inside(p.z, lower.z, upper.z);
+}
+
 MirrorImages::MirrorImages(const Scene& scene) {
     const Rest untold = find_mirrors(scene);
     choose_chains(scene, untold);

@@ -50,6 +50,9 @@ public:
         Point3 upper;
         double strength = 0.0; ///< about what it reflects at most
         double area = 0.0;     ///< m2
+
+        /// Whether the box, grown by `slack` m on all sides, holds a point.
+        [[nodiscard]] bool box_holds(const Point3& p, double slack) const noexcept;
     };
 
     [[nodiscard]] const std::vector<Mirror>& mirrors() const noexcept { return mirrors_; }

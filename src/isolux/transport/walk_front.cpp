@@ -137,7 +137,7 @@ void WalkFront::arrive(const Ray& ray, const SurfaceHit& hit) {
     const double offered = walk.passed_on;
     if (const auto y = meet_surface(*scene_, ray.branch, hit, event)) {
         if (!walk.gathers || y->reflections > 0) {
-            if (counts(walk, *y))
+            if (wants(walk, *y))
                 collect_at(walk, *y);
         } else if (points_[walk.point].connects) {
             gather_at(walk, *y);
@@ -259,7 +259,7 @@ void WalkFront::offer(Walk& walk, const Meeting& y, Left left) {
 }
 
 /// Whether the light of a surface is this walk's business.
-bool WalkFront::counts(const Walk& walk, const Meeting& y) const noexcept {
+bool WalkFront::wants(const Walk& walk, const Meeting& y) const noexcept {
     if (!walk.left.any())
         return true;
     return y.reflections > 0 ? walk.left.mirrors

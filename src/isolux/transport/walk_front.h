@@ -96,7 +96,7 @@ private:
         return static_cast<double>(points_[walk.point].samples);
     }
 
-    [[nodiscard]] bool counts(const Walk& walk, const Meeting& y) const noexcept;
+    [[nodiscard]] bool wants(const Walk& walk, const Meeting& y) const noexcept;
     void send_on(std::uint32_t walk);
     [[nodiscard]] std::uint32_t reflected_by(MaterialId material, std::uint32_t before);
 
